@@ -5,7 +5,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "image.h"
 #include "tool_error.h"
+
+#define MAP_UNKNOWN 127u
+
+/* Resolution of a map that nobody has said: that of many robots and of the usual
+ * benchmarks [m]. */
+#define MAP_DEFAULT_RESOLUTION_M 0.04
 
 typedef struct map {
     uint8_t *cells;      /* width * height bytes, row 0 = top of the image; owned.
@@ -20,12 +27,30 @@ typedef struct map {
 /* How to read an image that does not say it itself. */
 typedef struct map_options {
     double resolution_m; /* > 0 overrides the file's; 0: what the file says, else 0.04 */
-    int invert;          /* not 0: white is free in bare images; a YAML says it itself */
+    int invert;          /* not 0: white is free, black occupied; for bare images only,
+                            a YAML says it itself */
 } map_options;
 
 /* Reads PNG, PGM (P2/P5) or a ROS map_server YAML with its image, by content.
+ *
+ * Bare images hold occupancies, scaled to 0..255 from what white is in them; pixels that
+ * are not opaque are unknown. A PNG's origin is 0. A PGM may carry the comment of a Neato
+ * robot (map_pgm.h), from which resolution and origin are taken. It does not say which
+ * corner its origin means (known files are square and centred on the origin, so that it
+ * makes no difference); the lower left one is assumed, as for map_server. Its alignment is
+ * the direction of the flat's walls, not of the map: yaw stays 0.
+ *
+ * Fails iff: a file cannot be read, is none of these formats or damaged (image.h, yaml.h,
+ * map_yaml.h), the resolution rounds to less than ROOMSEG_MIN_RESOLUTION_MM or more than
+ * ROOMSEG_MAX_RESOLUTION_MM, options->invert is set for a YAML, or memory runs out.
  * Returns 0, or -1 with *error set and *out zeroed. */
 int map_load(const char *path, const map_options *options, map *out, tool_error *error);
+
+/* Cells from the samples of an image. cell_of: for each sample 0..maxval its cell; pixels
+ * that are not opaque become MAP_UNKNOWN. Resolution and origin are left 0.
+ * Returns 0, or -1 with *error set and *out zeroed. */
+int map_from_image(const image *img, const uint8_t *cell_of, const char *name, map *out,
+                   tool_error *error);
 
 /* Frees the cells and zeroes the record. */
 void map_free(map *m);

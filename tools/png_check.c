@@ -1,0 +1,58 @@
+#include "png_check.h"
+
+#include <string.h>
+
+#define SIGNATURE_BYTES 8u
+#define CHUNK_FRAME_BYTES 12u /* length, type, checksum */
+#define IHDR_BYTES 13u
+
+static uint32_t big_endian(const unsigned char *b) {
+    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
+}
+
+/* CRC-32 (polynomial 0xEDB88320, reflected), four bits a step. */
+static uint32_t crc32(const unsigned char *bytes, size_t size) {
+    uint32_t table[16];
+    for (uint32_t i = 0; i < 16; i++) {
+        uint32_t remainder = i;
+        for (int bit = 0; bit < 4; bit++) {
+            remainder = remainder >> 1 ^ ((remainder & 1u) != 0 ? 0xEDB88320u : 0u);
+        }
+        table[i] = remainder;
+    }
+    uint32_t crc = 0xFFFFFFFFu;
+    for (size_t i = 0; i < size; i++) {
+        crc ^= bytes[i];
+        crc = crc >> 4 ^ table[crc & 15u];
+        crc = crc >> 4 ^ table[crc & 15u];
+    }
+    return ~crc;
+}
+
+const char *png_check(const unsigned char *bytes, size_t size, png_info *info) {
+    size_t at = SIGNATURE_BYTES;
+    for (;;) {
+        if (size < at || size - at < CHUNK_FRAME_BYTES) {
+            return "the PNG is truncated";
+        }
+        uint32_t length = big_endian(bytes + at);
+        if (length > size - at - CHUNK_FRAME_BYTES) {
+            return "the PNG is truncated";
+        }
+        const unsigned char *type = bytes + at + 4;
+        if (crc32(type, (size_t)length + 4) != big_endian(type + 4 + length)) {
+            return "the PNG is damaged (wrong checksum)";
+        }
+        int is_header = memcmp(type, "IHDR", 4) == 0;
+        if (is_header != (at == SIGNATURE_BYTES) || (is_header && length != IHDR_BYTES)) {
+            return "the PNG is damaged (header out of place)";
+        }
+        if (is_header) {
+            *info = (png_info){big_endian(type + 4), big_endian(type + 8), type[12]};
+        }
+        if (memcmp(type, "IEND", 4) == 0) {
+            return NULL;
+        }
+        at += CHUNK_FRAME_BYTES + length;
+    }
+}

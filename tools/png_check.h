@@ -1,0 +1,19 @@
+/* Is a PNG file whole? The decoder in use skips the checksums and is content with files
+ * whose end is missing. */
+#ifndef ROOMSEG_TOOLS_PNG_CHECK_H
+#define ROOMSEG_TOOLS_PNG_CHECK_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct png_info {
+    uint32_t width, height;
+    int bit_depth; /* 1, 2, 4, 8, 16 */
+} png_info;
+
+/* Walks the chunks of a file that begins with the PNG signature.
+ * Returns NULL when each is whole and its checksum right, IHDR is the first and IEND comes;
+ * else the cause, static storage, and *info is undefined. */
+const char *png_check(const unsigned char *bytes, size_t size, png_info *info);
+
+#endif

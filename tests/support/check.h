@@ -1,0 +1,22 @@
+/* What must hold for every successful run, by the words of roomseg.h. Each function fails the
+ * test with a message that says what does not. */
+#ifndef SUPPORT_CHECK_H
+#define SUPPORT_CHECK_H
+
+#include "run.h"
+
+/* Labels: none on a cell that is not free, none above room_count, none missing; a free cell
+ * without one lies in a connected area that has none at all and is small enough to be dropped;
+ * each room is 4-connected, transparent obstacles counting as bridges. */
+void check_labels(const run *r, const uint8_t *kinds);
+
+/* Room records against the labels: order, area, centroid, bounding box, interior point. */
+void check_rooms(const run *r, const uint8_t *kinds);
+
+/* Doorway records and links against the labels. */
+void check_doorways(const run *r, const uint8_t *kinds);
+
+/* All of it, and the crop. */
+void check_everything(const run *r);
+
+#endif

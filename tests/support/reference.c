@@ -1,0 +1,130 @@
+#include "reference.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "unity.h"
+
+typedef struct box {
+    uint32_t min_x, min_y, max_x, max_y;
+} box;
+
+static box bounds_of_free(const uint8_t *kinds, uint32_t width, uint32_t height)
+{
+    box b = {width, height, 0, 0};
+    for (uint32_t y = 0; y < height; y++) {
+        for (uint32_t x = 0; x < width; x++) {
+            if (kinds[(size_t)y * width + x] == CELL_FREE) {
+                b.min_x = x < b.min_x ? x : b.min_x;
+                b.max_x = x > b.max_x ? x : b.max_x;
+                b.min_y = y < b.min_y ? y : b.min_y;
+                b.max_y = y > b.max_y ? y : b.max_y;
+            }
+        }
+    }
+    return b;
+}
+
+/* Gathers the wall component of `start` into `list`, marking its cells as seen. False when it
+ * touches the edge of the crop, beyond which everything counts as wall. */
+static bool gather(const uint8_t *kinds, uint32_t width, const box *crop, size_t start,
+                   uint8_t *seen, size_t *list, size_t *count, box *bounds)
+{
+    bool inside = true;
+    *bounds = (box){UINT32_MAX, UINT32_MAX, 0, 0};
+    *count = 0;
+    list[(*count)++] = start;
+    seen[start] = 1;
+    for (size_t head = 0; head < *count; head++) {
+        uint32_t x = (uint32_t)(list[head] % width);
+        uint32_t y = (uint32_t)(list[head] / width);
+        bounds->min_x = x < bounds->min_x ? x : bounds->min_x;
+        bounds->max_x = x > bounds->max_x ? x : bounds->max_x;
+        bounds->min_y = y < bounds->min_y ? y : bounds->min_y;
+        bounds->max_y = y > bounds->max_y ? y : bounds->max_y;
+        if (x == crop->min_x || x == crop->max_x || y == crop->min_y || y == crop->max_y) {
+            inside = false;
+        }
+        const size_t next[4] = {list[head] - 1, list[head] + 1, list[head] - width,
+                                list[head] + width};
+        const bool exists[4] = {x > crop->min_x, x < crop->max_x, y > crop->min_y,
+                                y < crop->max_y};
+        for (int i = 0; i < 4; i++) {
+            if (exists[i] && kinds[next[i]] == CELL_WALL && !seen[next[i]]) {
+                seen[next[i]] = 1;
+                list[(*count)++] = next[i];
+            }
+        }
+    }
+    return inside;
+}
+
+static bool is_small(const roomseg_config *config, uint32_t resolution_mm, size_t count,
+                     const box *b)
+{
+    uint64_t area_mm2 = (uint64_t)count * resolution_mm * resolution_mm;
+    uint32_t longest = b->max_x - b->min_x > b->max_y - b->min_y ? b->max_x - b->min_x
+                                                                 : b->max_y - b->min_y;
+    uint64_t length_mm = (uint64_t)(longest + 1) * resolution_mm;
+    return area_mm2 < config->speck_mm2 || length_mm <= config->clutter_mm;
+}
+
+uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid)
+{
+    uint32_t width = grid->width;
+    size_t cells = (size_t)width * grid->height;
+    uint8_t *kinds = malloc(cells);
+    uint8_t *seen = calloc(cells, 1);
+    size_t *list = malloc(cells * sizeof *list);
+    TEST_ASSERT_TRUE(kinds != NULL && seen != NULL && list != NULL);
+    for (uint32_t y = 0; y < grid->height; y++) {
+        for (uint32_t x = 0; x < width; x++) {
+            uint8_t value = grid->cells[(size_t)y * grid->stride + x];
+            kinds[(size_t)y * width + x] = value <= config->free_max ? CELL_FREE : CELL_WALL;
+        }
+    }
+    box crop = bounds_of_free(kinds, width, grid->height);
+    for (uint32_t y = crop.min_y; y <= crop.max_y; y++) {
+        for (uint32_t x = crop.min_x; x <= crop.max_x; x++) {
+            size_t start = (size_t)y * width + x;
+            size_t count;
+            box bounds;
+            if (kinds[start] == CELL_WALL && !seen[start] &&
+                gather(kinds, width, &crop, start, seen, list, &count, &bounds) &&
+                is_small(config, grid->resolution_mm, count, &bounds)) {
+                for (size_t i = 0; i < count; i++) {
+                    kinds[list[i]] = CELL_TRANSPARENT;
+                }
+            }
+        }
+    }
+    free(list);
+    free(seen);
+    return kinds;
+}
+
+static bool is_wall(const uint8_t *kinds, uint32_t width, uint32_t height, int64_t x, int64_t y)
+{
+    return x < 0 || y < 0 || x >= width || y >= height ||
+           kinds[(size_t)y * width + (size_t)x] == CELL_WALL;
+}
+
+uint64_t reference_wall_distance2(const uint8_t *kinds, uint32_t width, uint32_t height,
+                                  uint32_t x, uint32_t y)
+{
+    uint64_t best = UINT64_MAX;
+    /* A ring `r` cells away holds nothing closer than r, so the search ends at r^2 >= best. */
+    for (int64_t r = 0; (uint64_t)(r * r) < best; r++) {
+        for (int64_t along = -r; along <= r; along++) {
+            uint64_t distance2 = (uint64_t)(r * r + along * along);
+            if (distance2 < best && (is_wall(kinds, width, height, x + along, y - r) ||
+                                     is_wall(kinds, width, height, x + along, y + r) ||
+                                     is_wall(kinds, width, height, x - r, y + along) ||
+                                     is_wall(kinds, width, height, x + r, y + along))) {
+                best = distance2;
+            }
+        }
+    }
+    return best;
+}

@@ -1,0 +1,21 @@
+/* Slow, simple versions of what the header promises about obstacles, to hold runs against. */
+#ifndef SUPPORT_REFERENCE_H
+#define SUPPORT_REFERENCE_H
+
+#include "roomseg/roomseg.h"
+
+enum {
+    CELL_WALL = 0,        /* obstacle or unknown; the whole outside of the crop too */
+    CELL_FREE = 1,        /* value at most free_max */
+    CELL_TRANSPARENT = 2, /* obstacle that is noise or clutter by the config */
+};
+
+/* Kind of each cell: width * height bytes, to be freed. */
+uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid);
+
+/* Squared distance from cell (x, y) to the nearest wall cell, which may lie just outside of
+ * the grid; between the cells' centres [cells^2]. Looks at `kinds` ring by ring. */
+uint64_t reference_wall_distance2(const uint8_t *kinds, uint32_t width, uint32_t height,
+                                  uint32_t x, uint32_t y);
+
+#endif

@@ -1,0 +1,107 @@
+/* The memory plan: every buffer of a run, in one table.
+ *
+ * The arena is laid out from this table alone. ROOMSEG_ARENA_SIZE() evaluates it at
+ * compile time, roomseg_arena_size() at run time, and roomseg_run() places the buffers
+ * by it; all three agree to the byte.
+ *
+ *       stage   THRESHOLD COMPONENTS SURFACE WATERSHED GRAPH MERGE ROOMS
+ *   surface     ####################################################### (1 byte a cell)
+ *   components            ########
+ *   envelope                         #####
+ *   queue                                  #######                      (~1.2 bytes a cell)
+ *   graph                                          ###################
+ *   records                                                      ######
+ *
+ * Buffers that are never alive in the same stage share bytes, so the arena is the
+ * surface plus the largest of what the stages add to it. */
+#ifndef ROOMSEG_PLAN_H
+#define ROOMSEG_PLAN_H
+
+#include <stddef.h>
+
+/* Sizes of internal records [bytes]; src/ asserts them at compile time. They hold no
+ * pointers, so they are equal on every target. */
+#define ROOMSEG_RUN_BYTES 6u
+#define ROOMSEG_COMPONENT_BYTES 20u
+#define ROOMSEG_QUEUE_LISTS_BYTES 6144u
+#define ROOMSEG_QUEUE_BLOCK_BYTES 32u
+#define ROOMSEG_QUEUE_BLOCK_CELLS 7u
+#define ROOMSEG_REGION_BYTES 24u
+#define ROOMSEG_EDGE_BYTES 24u
+#define ROOMSEG_HEAP_ITEM_BYTES 8u
+#define ROOMSEG_ROOM_BYTES 40u
+#define ROOMSEG_ROOM_SUM_BYTES 16u
+#define ROOMSEG_DOORWAY_BYTES 16u
+
+/* Cells of the crop with its border of one obstacle cell on every side. */
+#define ROOMSEG_PLAN_CELLS(w, h) (((size_t)(w) + 2u) * ((size_t)(h) + 2u))
+
+/* Runs that one bordered row can hold. */
+#define ROOMSEG_PLAN_RUNS(w) (((size_t)(w) + 3u) / 2u)
+
+/* Blocks of the flood queue: room for a quarter of the cells at once, and the open
+ * first and last block of each of 2 x 256 lists. */
+#define ROOMSEG_PLAN_QUEUE_BLOCKS(w, h) \
+    (ROOMSEG_PLAN_CELLS(w, h) / (4u * ROOMSEG_QUEUE_BLOCK_CELLS) + 512u)
+
+/* A region graph is planar: fewer than 3 edges a region. Hash slots: twice the regions
+ * times 3, so that at most half of them are taken. */
+#define ROOMSEG_PLAN_EDGES(regions) ((size_t)(regions) * 3u)
+#define ROOMSEG_PLAN_SLOTS(regions) ((size_t)(regions) * 6u)
+
+/* X(buffer, bytes of an element, elements, first stage, last stage)
+ * w, h: crop [cells]; small: cells of the largest obstacle that is dropped or made
+ * transparent; max_regions, max_rooms: capacities. */
+#define ROOMSEG_PLAN_TABLE(X, S, w, h, small, max_regions, max_rooms)                             \
+    X(S, surface, 1u, ROOMSEG_PLAN_CELLS(w, h), 0, 6)                                             \
+    X(S, runs, ROOMSEG_RUN_BYTES, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                                \
+    X(S, components, ROOMSEG_COMPONENT_BYTES, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                    \
+    X(S, active, 2u, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                                             \
+    X(S, vacant, 2u, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                                             \
+    X(S, stack, 4u, (size_t)(small), 1, 1)                                                        \
+    X(S, envelope, 8u, (size_t)(w) + 2u, 2, 2)                                                    \
+    X(S, queue_lists, 1u, ROOMSEG_QUEUE_LISTS_BYTES, 3, 3)                                        \
+    X(S, queue_blocks, ROOMSEG_QUEUE_BLOCK_BYTES, ROOMSEG_PLAN_QUEUE_BLOCKS(w, h), 3, 3)          \
+    X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 4, 6)                         \
+    X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 4, 6)                        \
+    X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_regions), 4, 4)                                        \
+    X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 5, 6)                    \
+    X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                                    \
+    X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 6, 6)                            \
+    X(S, doorways, ROOMSEG_DOORWAY_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)                    \
+    X(S, links, 2u, 2u * ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)
+
+/* Every buffer starts at a multiple of 8 bytes. */
+#define ROOMSEG_PLAN_ALIGN(bytes) (((bytes) + 7u) / 8u * 8u)
+
+#define ROOMSEG_PLAN_ALIVE(stage, name, element, count, first, last) \
+    +((first) <= (stage) && (stage) <= (last) ? ROOMSEG_PLAN_ALIGN((element) * (count)) : 0u)
+#define ROOMSEG_PLAN_AT(stage, w, h, small, regions, rooms) \
+    ((size_t)0 ROOMSEG_PLAN_TABLE(ROOMSEG_PLAN_ALIVE, stage, w, h, small, regions, rooms))
+#define ROOMSEG_PLAN_MAX(a, b) ((a) > (b) ? (a) : (b))
+
+/* Cells of the largest obstacle that a config drops or makes transparent; the
+ * arguments are the config's speck_mm2, clutter_mm and the grid's resolution_mm. */
+#define ROOMSEG_PLAN_SMALL(speck_mm2, clutter_mm, resolution_mm)                    \
+    (ROOMSEG_PLAN_MAX((size_t)(speck_mm2) / ((size_t)(resolution_mm) * (resolution_mm)), \
+                      ((size_t)(clutter_mm) / (resolution_mm)) *                    \
+                          ((size_t)(clutter_mm) / (resolution_mm))) +               \
+     1u)
+
+/* Arena bytes, an integer constant expression for constant arguments. w and h are the
+ * largest crop in cells (the grid's size is always enough), small comes from
+ * ROOMSEG_PLAN_SMALL, regions and rooms are the config's max_regions and max_rooms. */
+#define ROOMSEG_ARENA_SIZE(w, h, small, regions, rooms)                          \
+    ROOMSEG_PLAN_MAX(                                                            \
+        ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_AT(1, w, h, small, regions, rooms),        \
+                         ROOMSEG_PLAN_AT(2, w, h, small, regions, rooms)),       \
+        ROOMSEG_PLAN_MAX(                                                        \
+            ROOMSEG_PLAN_AT(3, w, h, small, regions, rooms),                     \
+            ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_AT(4, w, h, small, regions, rooms),    \
+                             ROOMSEG_PLAN_AT(6, w, h, small, regions, rooms))))
+
+/* The same for the default profile's parameters. */
+#define ROOMSEG_ARENA_SIZE_DEFAULT(w, h, resolution_mm)                                  \
+    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 640u, resolution_mm), 1024u, 255u)
+
+#endif

@@ -1,0 +1,88 @@
+/* What every stage needs: the frame of the crop, the progress ticker, small arithmetic. */
+#ifndef RS_BASE_H
+#define RS_BASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "roomseg/roomseg.h"
+
+/* Fails to compile when the condition does not hold (C99 has no static_assert). */
+#define RS_STATIC_ASSERT(condition, name) typedef char rs_assert_##name[(condition) ? 1 : -1]
+
+/* The crop, and how its cells lie in a bordered buffer: one cell of border on every side,
+ * so that the four neighbours of a crop cell always exist. */
+typedef struct rs_frame {
+    uint32_t x, y;          /* first cell of the crop in the caller's grid */
+    uint32_t width, height; /* crop [cells]; 0 when no cell is free */
+    uint32_t stride;        /* width + 2: one bordered row */
+} rs_frame;
+
+/* Index of crop cell (x, y) in a bordered buffer; x, y may be -1 or the size. */
+static inline uint32_t rs_frame_index(const rs_frame *frame, uint32_t x, uint32_t y)
+{
+    return (y + 1u) * frame->stride + x + 1u;
+}
+
+/* A cell position packed in 32 bits; both in crop coordinates, below 2^16. */
+static inline uint32_t rs_cell_pack(uint32_t x, uint32_t y)
+{
+    return y << 16 | x;
+}
+static inline uint32_t rs_cell_x(uint32_t cell)
+{
+    return cell & 0xFFFFu;
+}
+static inline uint32_t rs_cell_y(uint32_t cell)
+{
+    return cell >> 16;
+}
+
+/* The progress hook with its bookkeeping. The hook must be called at least once in
+ * RS_TICK_VISITS visits of a cell. */
+#define RS_TICK_VISITS 65536u
+
+typedef struct rs_ticker {
+    roomseg_progress_fn hook; /* may be NULL */
+    void *user;
+    roomseg_stage stage;
+    uint32_t visits; /* since the last call of the hook, <= RS_TICK_VISITS */
+    uint32_t permille; /* last value reported in this stage */
+} rs_ticker;
+
+/* Enters a stage and reports 0 per mille of it. True: the run is cancelled. */
+bool rs_ticker_enter(rs_ticker *ticker, roomseg_stage stage);
+
+/* Calls the hook; `done` of `total` steps of the stage lie behind. */
+bool rs_ticker_call(rs_ticker *ticker, uint32_t done, uint32_t total);
+
+/* To be called BEFORE visiting `visits` (at most RS_TICK_VISITS) further cells.
+ * True: the run is cancelled, the stage returns ROOMSEG_ERR_CANCELLED. */
+static inline bool rs_tick(rs_ticker *ticker, uint32_t visits, uint32_t done, uint32_t total)
+{
+    if (ticker->visits + visits <= RS_TICK_VISITS) {
+        ticker->visits += visits;
+        return false;
+    }
+    ticker->visits = visits;
+    return rs_ticker_call(ticker, done, total);
+}
+
+static inline uint32_t rs_min_u32(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+static inline uint32_t rs_max_u32(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* floor(sqrt(n)), exact for every 32-bit n. */
+uint32_t rs_isqrt(uint32_t n);
+
+/* numerator * 256 / denominator, rounded down, without a 64-bit division.
+ * Requires denominator >= 1 and a quotient below 2^32. */
+uint32_t rs_divide_q8(uint64_t numerator, uint32_t denominator);
+
+#endif

@@ -1,0 +1,204 @@
+#include "components.h"
+
+/* Slots for the components that reach the row in work or the one above it. */
+typedef struct slots {
+    rs_component *components;
+    uint16_t *active; /* slots in use */
+    uint16_t *vacant; /* a stack of free ones */
+    uint32_t active_count, vacant_count;
+} slots;
+
+static uint16_t find_root(rs_component *components, uint16_t slot)
+{
+    while (components[slot].parent != slot) {
+        components[slot].parent = components[components[slot].parent].parent;
+        slot = components[slot].parent;
+    }
+    return slot;
+}
+
+static uint16_t take_slot(slots *s)
+{
+    uint16_t slot = s->vacant[--s->vacant_count];
+
+    s->active[s->active_count++] = slot;
+    return slot;
+}
+
+static uint32_t add_area(uint32_t a, uint32_t b)
+{
+    return rs_min_u32(a + b, RS_COMPONENT_OPEN); /* both <= 2^30: no overflow */
+}
+
+static uint16_t unite(rs_component *components, uint16_t a, uint16_t b)
+{
+    rs_component *into = &components[a];
+    const rs_component *from = &components[b];
+
+    if (a == b) {
+        return a;
+    }
+    into->area = add_area(into->area, from->area);
+    into->min_x = into->min_x < from->min_x ? into->min_x : from->min_x;
+    into->max_x = into->max_x > from->max_x ? into->max_x : from->max_x;
+    into->min_y = into->min_y < from->min_y ? into->min_y : from->min_y;
+    into->max_y = into->max_y > from->max_y ? into->max_y : from->max_y;
+    components[b].parent = a;
+    return a;
+}
+
+static uint32_t find_runs(const uint8_t *row, uint32_t width, rs_run *runs)
+{
+    uint32_t count = 0;
+    uint32_t x = 0;
+
+    for (;;) {
+        while (x < width && row[x] != 0u) {
+            x++;
+        }
+        if (x == width) {
+            return count;
+        }
+        runs[count].first = (uint16_t)x;
+        while (x < width && row[x] == 0u) {
+            x++;
+        }
+        runs[count].last = (uint16_t)(x - 1u);
+        count++;
+    }
+}
+
+/* The run as a component of its own. */
+static void start_component(const rs_frame *frame, const rs_run *run, uint32_t y,
+                            uint16_t slot, rs_component *c)
+{
+    bool at_border = y == 0u || y == frame->height + 1u || run->first == 0u ||
+                     run->last == frame->stride - 1u;
+
+    c->area = at_border ? RS_COMPONENT_OPEN : (uint32_t)run->last - run->first + 1u;
+    c->min_x = run->first;
+    c->max_x = run->last;
+    c->min_y = (uint16_t)y;
+    c->max_y = (uint16_t)y;
+    c->anchor_x = run->first;
+    c->anchor_y = (uint16_t)y;
+    c->parent = slot;
+    c->unused = 0;
+}
+
+/* Gives every run of row y a component: its own, joined with those of all runs above that
+ * share a column with it. */
+static void join_row(const rs_frame *frame, const rs_run *above, uint32_t above_count,
+                     rs_run *runs, uint32_t count, uint32_t y, slots *s)
+{
+    uint32_t i = 0;
+
+    for (uint32_t j = 0; j < count; j++) {
+        uint16_t component = take_slot(s);
+
+        start_component(frame, &runs[j], y, component, &s->components[component]);
+        while (i < above_count && above[i].last < runs[j].first) {
+            i++;
+        }
+        while (i < above_count && above[i].first <= runs[j].last) {
+            uint16_t root = find_root(s->components, above[i].component);
+            component = unite(s->components, root, find_root(s->components, component));
+            if (above[i].last > runs[j].last) {
+                break; /* may reach the next run too */
+            }
+            i++;
+        }
+        runs[j].component = component;
+    }
+    for (uint32_t j = 0; j < count; j++) {
+        runs[j].component = find_root(s->components, runs[j].component);
+    }
+}
+
+static bool is_small(const rs_component *c, rs_component_limits limits)
+{
+    uint32_t wide = (uint32_t)c->max_x - c->min_x + 1u;
+    uint32_t high = (uint32_t)c->max_y - c->min_y + 1u;
+
+    return c->area < limits.speck_cells ||
+           (c->area < RS_COMPONENT_OPEN && wide <= limits.clutter_cells &&
+            high <= limits.clutter_cells);
+}
+
+/* Sets all cells of a small component to 1, from its anchor outwards. A cell enters the
+ * stack once, so the stack needs no more than the component's area. */
+static void clear_component(const rs_component *c, uint32_t stride, uint8_t *surface,
+                            uint32_t *stack)
+{
+    uint32_t depth = 0;
+    const uint32_t step[4] = {1u, 0u - 1u, stride, 0u - stride}; /* modulo 2^32 */
+
+    stack[depth++] = c->anchor_y * stride + c->anchor_x;
+    surface[stack[0]] = 1;
+    while (depth > 0u) {
+        uint32_t cell = stack[--depth];
+        for (uint32_t k = 0; k < 4u; k++) {
+            uint32_t next = cell + step[k];
+            if (surface[next] == 0u) {
+                surface[next] = 1;
+                stack[depth++] = next;
+            }
+        }
+    }
+}
+
+/* Ends the components that do not reach row y: clears the small ones, frees their slots
+ * and those of components that were joined to others. */
+static void end_components(const rs_frame *frame, rs_component_limits limits, uint32_t y,
+                           slots *s, uint8_t *surface, uint32_t *stack)
+{
+    uint32_t kept = 0;
+
+    for (uint32_t i = 0; i < s->active_count; i++) {
+        uint16_t slot = s->active[i];
+        const rs_component *c = &s->components[slot];
+
+        if (c->parent == slot && c->max_y == y) {
+            s->active[kept++] = slot;
+            continue;
+        }
+        if (c->parent == slot && is_small(c, limits)) {
+            clear_component(c, frame->stride, surface, stack);
+        }
+        s->vacant[s->vacant_count++] = slot;
+    }
+    s->active_count = kept;
+}
+
+int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
+                              uint8_t *surface, const rs_component_scratch *scratch,
+                              rs_ticker *ticker)
+{
+    uint32_t capacity = 2u * (uint32_t)ROOMSEG_PLAN_RUNS(frame->width);
+    rs_run *above = scratch->runs;
+    rs_run *runs = scratch->runs + capacity / 2u;
+    uint32_t above_count = 0;
+    slots s = {scratch->components, scratch->active, scratch->vacant, 0, 0};
+
+    while (s.vacant_count < capacity) {
+        s.vacant[s.vacant_count] = (uint16_t)s.vacant_count;
+        s.vacant_count++;
+    }
+    for (uint32_t y = 0; y < frame->height + 2u; y++) {
+        const uint8_t *row = surface + (size_t)y * frame->stride;
+        uint32_t count;
+        rs_run *swap;
+
+        if (rs_tick(ticker, frame->width, y, frame->height + 2u)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        count = find_runs(row, frame->stride, runs);
+        join_row(frame, above, above_count, runs, count, y, &s);
+        end_components(frame, limits, y, &s, surface, scratch->stack);
+        swap = above;
+        above = runs;
+        runs = swap;
+        above_count = count;
+    }
+    return ROOMSEG_OK;
+}

@@ -1,0 +1,50 @@
+/* Stage 2: small obstacles. Components of obstacle cells are found row by row: runs of
+ * cells, joined with the runs above by union-find. Only the components that reach the
+ * current row are kept, so the memory is a few rows, whatever the map. */
+#ifndef RS_COMPONENTS_H
+#define RS_COMPONENTS_H
+
+#include "base.h"
+
+typedef struct rs_run {
+    uint16_t first, last; /* columns of the bordered row, both ends inside */
+    uint16_t component;   /* its component's slot */
+} rs_run;
+
+/* A component while it grows. Positions in bordered coordinates. */
+typedef struct rs_component {
+    uint32_t area;                       /* cells, saturates at RS_COMPONENT_OPEN */
+    uint16_t min_x, max_x, min_y, max_y; /* bounding box, both ends inside */
+    uint16_t anchor_x, anchor_y;         /* one cell of it */
+    uint16_t parent;                     /* slot it was joined to; its own: a root */
+    uint16_t unused;
+} rs_component;
+
+/* Area of whatever touches the border: what lies beyond is not known. */
+#define RS_COMPONENT_OPEN (1u << 30)
+
+RS_STATIC_ASSERT(sizeof(rs_run) == ROOMSEG_RUN_BYTES, run);
+RS_STATIC_ASSERT(sizeof(rs_component) == ROOMSEG_COMPONENT_BYTES, component);
+
+/* Which obstacles are small. */
+typedef struct rs_component_limits {
+    uint32_t speck_cells;   /* fewer cells than this: noise */
+    uint32_t clutter_cells; /* bounding box at most this long on both sides: clutter */
+} rs_component_limits;
+
+/* Sets to 1 the cells of all obstacle components (surface 0, 4-connected) that are noise
+ * or clutter. Components that touch the border of the frame stay.
+ * scratch: see the struct; the arrays need no preparation. */
+typedef struct rs_component_scratch {
+    rs_run *runs;             /* 2 * ROOMSEG_PLAN_RUNS(frame->width) */
+    rs_component *components; /* the same number */
+    uint16_t *active;         /* the same number */
+    uint16_t *vacant;         /* the same number */
+    uint32_t *stack;          /* max(speck_cells, clutter_cells^2) */
+} rs_component_scratch;
+
+int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
+                              uint8_t *surface, const rs_component_scratch *scratch,
+                              rs_ticker *ticker);
+
+#endif

@@ -1,0 +1,125 @@
+#include "distance.h"
+
+/* Vertical distance to the nearest obstacle, saturating; one pass down, one up. */
+static int vertical_distances(const rs_frame *frame, uint8_t *surface, rs_ticker *ticker)
+{
+    uint32_t stride = frame->stride, rows = frame->height;
+
+    for (uint32_t y = 1; y <= rows; y++) {
+        uint8_t *row = surface + (size_t)y * stride;
+        if (rs_tick(ticker, frame->width, y, 4u * rows)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; x < stride; x++) {
+            uint8_t above = row[x - stride];
+            row[x] = row[x] == 0u ? 0u : (uint8_t)(above + (above < RS_DISTANCE_MAX));
+        }
+    }
+    for (uint32_t y = rows; y >= 1u; y--) {
+        uint8_t *row = surface + (size_t)y * stride;
+        if (rs_tick(ticker, frame->width, 2u * rows - y, 4u * rows)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; x < stride; x++) {
+            uint8_t below = row[x + stride];
+            uint8_t limit = (uint8_t)(below + (below < RS_DISTANCE_MAX));
+            row[x] = row[x] < limit ? row[x] : limit;
+        }
+    }
+    return ROOMSEG_OK;
+}
+
+/* First column from which on parabola b lies below a; b stands to the right of a. May be 0
+ * or any column, also one beyond the row. Solves (x - a.x)^2 + a.height >
+ * (x - b.x)^2 + b.height for x. With gap < 2^16 and heights <= 255^2 all terms fit. */
+static uint32_t crossing(const rs_parabola *a, const rs_parabola *b)
+{
+    uint32_t gap = (uint32_t)b->x - a->x;
+    uint32_t forward = gap * gap + b->height;
+    uint32_t back;
+
+    if (forward >= a->height) {
+        return a->x + (forward - a->height) / (2u * gap) + 1u;
+    }
+    back = (a->height - forward + 2u * gap - 1u) / (2u * gap); /* rounded up */
+    return back > a->x ? 0u : a->x + 1u - back;
+}
+
+/* Adds column x to the envelope, dropping what it hides. Returns the new count. */
+static uint32_t push_parabola(rs_parabola *envelope, uint32_t count, uint32_t x,
+                              uint32_t vertical)
+{
+    rs_parabola fresh;
+    uint32_t from = 0;
+
+    fresh.x = (uint16_t)x;
+    fresh.height = vertical * vertical;
+    while (count > 0u) {
+        from = crossing(&envelope[count - 1u], &fresh);
+        if (from > envelope[count - 1u].from) {
+            break;
+        }
+        count--;
+    }
+    fresh.from = count > 0u ? (uint16_t)rs_min_u32(from, UINT16_MAX) : 0u;
+    envelope[count] = fresh;
+    return count + 1u;
+}
+
+/* Replaces the vertical distances of the free run first..last by Euclidean ones; the cells
+ * before and behind it are obstacles. */
+static void transform_run(uint8_t *row, uint32_t first, uint32_t last, rs_parabola *envelope)
+{
+    uint32_t count = 0, k = 0, rounded = 1;
+
+    for (uint32_t x = first - 1u; x <= last + 1u; x++) {
+        count = push_parabola(envelope, count, x, row[x]);
+    }
+    for (uint32_t x = first; x <= last; x++) {
+        uint32_t offset, squared;
+
+        while (k + 1u < count && envelope[k + 1u].from <= x) {
+            k++;
+        }
+        offset = x > envelope[k].x ? x - envelope[k].x : envelope[k].x - x;
+        squared = offset * offset + envelope[k].height;
+        /* Neighbours differ by at most one, so the root is followed instead of computed:
+         * r is the rounded root iff r^2 - r < squared <= r^2 + r. */
+        while (rounded < RS_DISTANCE_MAX && squared > rounded * rounded + rounded) {
+            rounded++;
+        }
+        while (squared <= rounded * rounded - rounded) {
+            rounded--;
+        }
+        row[x] = (uint8_t)rounded;
+    }
+}
+
+int rs_distance_run(const rs_frame *frame, uint8_t *surface, rs_parabola *envelope,
+                    rs_ticker *ticker)
+{
+    int status = vertical_distances(frame, surface, ticker);
+
+    for (uint32_t y = 1; status == ROOMSEG_OK && y <= frame->height; y++) {
+        uint8_t *row = surface + (size_t)y * frame->stride;
+        uint32_t x = 1;
+
+        if (rs_tick(ticker, frame->width, frame->height + y, 2u * frame->height)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        while (x <= frame->width) {
+            uint32_t first;
+            while (x <= frame->width && row[x] == 0u) {
+                x++;
+            }
+            first = x;
+            while (row[x] != 0u) { /* the border ends it */
+                x++;
+            }
+            if (x > first) {
+                transform_run(row, first, x - 1u, envelope);
+            }
+        }
+    }
+    return status;
+}

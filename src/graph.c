@@ -1,0 +1,155 @@
+#include "graph.h"
+
+#include <string.h>
+
+#define NO_EDGE UINT32_MAX
+
+/* Edges by their pair of regions: open addressing with linear probing. */
+typedef struct edge_table {
+    rs_graph *graph;
+    uint32_t *slots; /* edge index or NO_EDGE */
+    uint32_t slot_count, max_edges;
+    uint32_t latest; /* the edge asked for last; borders repeat themselves */
+} edge_table;
+
+static uint32_t add_edge(rs_graph *graph, uint16_t a, uint16_t b)
+{
+    uint32_t e = graph->edge_count++;
+    rs_edge *edge = &graph->edges[e];
+    const uint16_t ends[2] = {a, b};
+
+    memset(edge, 0, sizeof *edge);
+    edge->a = a;
+    edge->b = b;
+    for (uint32_t side = 0; side < 2u; side++) {
+        rs_region *region = &graph->regions[ends[side]];
+        uint32_t half = 2u * e + side;
+
+        if (region->first_half == RS_NO_HALF) {
+            edge->next[side] = half;
+            region->first_half = half;
+        } else {
+            uint32_t head = region->first_half;
+            edge->next[side] = graph->edges[head >> 1].next[head & 1u];
+            graph->edges[head >> 1].next[head & 1u] = half;
+        }
+    }
+    return e;
+}
+
+/* The edge between two regions, made when it is new; NULL when there is no room for it. */
+static rs_edge *edge_between(edge_table *table, uint16_t p, uint16_t q)
+{
+    rs_edge *edges = table->graph->edges;
+    uint16_t a = p < q ? p : q, b = p < q ? q : p;
+    uint32_t slot;
+
+    if (table->latest != NO_EDGE && edges[table->latest].a == a && edges[table->latest].b == b) {
+        return &edges[table->latest];
+    }
+    /* Multiplicative hashing with 2^32 / golden ratio (Knuth); the product's upper half
+     * is uniform, so scaling it gives a slot without a division. */
+    slot = ((((uint32_t)a << 16 | b) * 2654435769u) >> 16);
+    slot = (uint32_t)(((uint64_t)slot * table->slot_count) >> 16);
+    while (table->slots[slot] != NO_EDGE) {
+        rs_edge *edge = &edges[table->slots[slot]];
+        if (edge->a == a && edge->b == b) {
+            table->latest = table->slots[slot];
+            return edge;
+        }
+        slot = slot + 1u == table->slot_count ? 0u : slot + 1u;
+    }
+    if (table->graph->edge_count == table->max_edges) {
+        return NULL;
+    }
+    table->latest = add_edge(table->graph, a, b);
+    table->slots[slot] = table->latest;
+    return &edges[table->latest];
+}
+
+/* Notes that cell (x, y) of height h and label p touches a cell of height g and label q. */
+static bool touch(edge_table *table, uint16_t p, uint16_t q, uint32_t h, uint32_t g,
+                  uint32_t x, uint32_t y)
+{
+    rs_edge *edge = edge_between(table, p, q);
+    uint32_t lower = rs_min_u32(h, g);
+
+    if (edge == NULL) {
+        return false;
+    }
+    edge->border++;
+    if (lower > edge->saddle) {
+        edge->saddle = lower;
+        edge->x = (uint16_t)x;
+        edge->y = (uint16_t)y;
+    }
+    return true;
+}
+
+static void measure_cell(rs_region *region, uint32_t height, uint32_t index, uint32_t x,
+                         uint32_t y)
+{
+    if (region->area == 0u) {
+        region->first_cell = index;
+    }
+    region->area++;
+    if (height > region->peak) {
+        region->peak = (uint16_t)height;
+        region->peak_x = (uint16_t)x;
+        region->peak_y = (uint16_t)y;
+    }
+}
+
+static void init(edge_table *table)
+{
+    rs_graph *graph = table->graph;
+
+    graph->edge_count = 0;
+    memset(graph->regions, 0, (graph->region_count + 1u) * sizeof *graph->regions);
+    for (uint32_t r = 0; r <= graph->region_count; r++) {
+        graph->regions[r].parent = (uint16_t)r;
+        graph->regions[r].first_half = RS_NO_HALF;
+    }
+    memset(table->slots, 0xFF, table->slot_count * sizeof *table->slots); /* NO_EDGE */
+}
+
+int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t free_max,
+                   const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
+                   uint32_t max_edges, uint32_t *slots, rs_ticker *ticker)
+{
+    edge_table table = {graph, slots, 2u * max_edges, max_edges, NO_EDGE};
+
+    init(&table);
+    for (uint32_t y = 0; y < frame->height; y++) {
+        const uint8_t *cells = grid->cells + (size_t)(frame->y + y) * grid->stride + frame->x;
+        const uint16_t *row = labels->cells + (size_t)y * labels->stride;
+        const uint16_t *below = row + labels->stride;
+        uint32_t index = rs_frame_index(frame, 0, y);
+        const uint8_t *height = surface + index;
+
+        if (rs_tick(ticker, frame->width, y, frame->height)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; x < frame->width; x++) {
+            uint16_t p = row[x];
+            uint16_t right = x + 1u < frame->width ? row[x + 1u] : 0u;
+            uint16_t lower = y + 1u < frame->height ? below[x] : 0u;
+
+            if (p == 0u) {
+                continue;
+            }
+            if (cells[x] <= free_max) {
+                measure_cell(&graph->regions[p], height[x], index + x, x, y);
+            }
+            if (right != p && right != 0u &&
+                !touch(&table, p, right, height[x], height[x + 1u], x, y)) {
+                return ROOMSEG_ERR_REGIONS;
+            }
+            if (lower != p && lower != 0u &&
+                !touch(&table, p, lower, height[x], height[x + frame->stride], x, y)) {
+                return ROOMSEG_ERR_REGIONS;
+            }
+        }
+    }
+    return ROOMSEG_OK;
+}

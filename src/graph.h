@@ -1,0 +1,64 @@
+/* Stage 5: the region adjacency graph. */
+#ifndef RS_GRAPH_H
+#define RS_GRAPH_H
+
+#include "base.h"
+#include "watershed.h"
+
+/* One region of the watershed; regions[label], regions[0] is unused. */
+typedef struct rs_region {
+    uint32_t area;           /* free cells of the grid, without transparent obstacles */
+    uint32_t first_cell;     /* its first free cell in reading order, bordered index */
+    uint32_t first_half;     /* half-edge list, RS_NO_HALF: no neighbour */
+    uint16_t peak_x, peak_y; /* a free cell of the greatest distance, crop coordinates */
+    uint16_t parent;         /* region it was merged into; its own label: a root */
+    uint16_t peak;           /* that greatest distance [cells] */
+    uint16_t room;           /* label of the room it belongs to; 0: none */
+    uint16_t unused;
+} rs_region;
+
+/* Two regions that touch. The half-edges 2e and 2e + 1 of edge e stand in the circular
+ * lists of regions a and b. */
+typedef struct rs_edge {
+    uint16_t a, b;      /* labels, a < b */
+    uint16_t x, y;      /* where the opening is widest, crop coordinates */
+    uint32_t saddle;    /* greatest, over the shared border, of the smaller of the distances
+                           on both sides [cells] */
+    uint32_t border;    /* shared border [pairs of 4-adjacent cells] */
+    uint32_t next[2];   /* next half-edge in the lists of a and b */
+} rs_edge;
+
+#define RS_NO_HALF UINT32_MAX
+
+RS_STATIC_ASSERT(sizeof(rs_region) == ROOMSEG_REGION_BYTES, region);
+RS_STATIC_ASSERT(sizeof(rs_edge) == ROOMSEG_EDGE_BYTES, edge);
+
+typedef struct rs_graph {
+    rs_region *regions;
+    rs_edge *edges;
+    uint32_t region_count, edge_count;
+} rs_graph;
+
+/* The region at the other end of a half-edge, as it was before merging. */
+static inline uint16_t rs_graph_other_end(const rs_graph *graph, uint32_t half)
+{
+    const rs_edge *edge = &graph->edges[half >> 1];
+
+    return (half & 1u) == 0u ? edge->b : edge->a;
+}
+
+static inline uint32_t rs_graph_next_half(const rs_graph *graph, uint32_t half)
+{
+    return graph->edges[half >> 1].next[half & 1u];
+}
+
+/* Measures the regions and their openings in one reading of the labels.
+ * graph: regions of region_count + 1 elements and edges of max_edges, to be filled.
+ * slots: ROOMSEG_PLAN_SLOTS(n) for the n of max_edges = ROOMSEG_PLAN_EDGES(n), scratch.
+ * Fails iff: cancelled, or more than max_edges pairs of regions touch (ROOMSEG_ERR_REGIONS;
+ * not for regions of rs_watershed_run, whose graph is planar). */
+int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t free_max,
+                   const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
+                   uint32_t max_edges, uint32_t *slots, rs_ticker *ticker);
+
+#endif

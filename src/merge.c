@@ -1,0 +1,270 @@
+#include "merge.h"
+
+uint16_t rs_merge_root(rs_region *regions, uint16_t region)
+{
+    while (regions[region].parent != region) {
+        regions[region].parent = regions[regions[region].parent].parent;
+        region = regions[region].parent;
+    }
+    return region;
+}
+
+static void splice_lists(rs_graph *graph, uint32_t a, uint32_t b)
+{
+    uint32_t *next_a, *next_b, swap;
+
+    if (a == RS_NO_HALF || b == RS_NO_HALF) {
+        return;
+    }
+    next_a = &graph->edges[a >> 1].next[a & 1u];
+    next_b = &graph->edges[b >> 1].next[b & 1u];
+    swap = *next_a;
+    *next_a = *next_b;
+    *next_b = swap;
+}
+
+/* Joins two roots; the larger one remains a root. */
+static uint16_t unite(rs_graph *graph, uint16_t p, uint16_t q)
+{
+    rs_region *regions = graph->regions;
+    bool keep_p = regions[p].area > regions[q].area || (regions[p].area == regions[q].area && p < q);
+    uint16_t root = keep_p ? p : q;
+    rs_region *into = &regions[root];
+    const rs_region *from = &regions[keep_p ? q : p];
+
+    splice_lists(graph, into->first_half, from->first_half);
+    if (into->first_half == RS_NO_HALF) {
+        into->first_half = from->first_half;
+    }
+    if (from->area > 0u && (into->area == 0u || from->first_cell < into->first_cell)) {
+        into->first_cell = from->first_cell;
+    }
+    if (from->peak > into->peak) {
+        into->peak = from->peak;
+        into->peak_x = from->peak_x;
+        into->peak_y = from->peak_y;
+    }
+    into->area += from->area;
+    regions[keep_p ? q : p].parent = root;
+    return root;
+}
+
+/* Steps from half-edge `half` to the next one in the list of `root` that leads to another
+ * root; takes those that have become internal out of the list. RS_NO_HALF: none is left. */
+static uint32_t next_outward(rs_graph *graph, uint16_t root, uint32_t half)
+{
+    rs_region *region = &graph->regions[root];
+
+    for (;;) {
+        uint32_t *link = &graph->edges[half >> 1].next[half & 1u];
+        uint32_t next = *link;
+
+        if (rs_merge_root(graph->regions, rs_graph_other_end(graph, next)) != root) {
+            return next;
+        }
+        if (next == half) {
+            region->first_half = RS_NO_HALF;
+            return RS_NO_HALF;
+        }
+        *link = rs_graph_next_half(graph, next);
+        if (region->first_half == next) {
+            region->first_half = half;
+        }
+    }
+}
+
+/* Whether a root has at least `wanted` distinct neighbours of at least `smallest` cells. */
+static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t smallest)
+{
+    uint16_t seen[RS_MERGE_MAX_NEIGHBOURS];
+    uint32_t seen_count = 0;
+    uint32_t start, half;
+
+    if (graph->regions[root].first_half == RS_NO_HALF) {
+        return false;
+    }
+    start = next_outward(graph, root, graph->regions[root].first_half);
+    half = start;
+    while (half != RS_NO_HALF) {
+        uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
+        uint32_t i = 0;
+
+        while (i < seen_count && seen[i] != other) {
+            i++;
+        }
+        if (i == seen_count && graph->regions[other].area >= smallest) {
+            seen[seen_count++] = other;
+            if (seen_count == wanted) {
+                return true;
+            }
+        }
+        half = next_outward(graph, root, half);
+        if (half == start) {
+            break;
+        }
+    }
+    return false;
+}
+
+/* How open an edge is: 0 when saddle < percent/100 * sqrt(p * q), else a number that grows
+ * with saddle^2 / (p * q * percent^2). Values are at most 255, so nothing overflows. */
+static uint32_t openness(uint32_t saddle, uint32_t p, uint32_t q, uint32_t percent)
+{
+    uint32_t squared = saddle * saddle;
+
+    if (squared * 10000u < percent * percent * p * q) {
+        return 0;
+    }
+    return (squared << 15) / (p * q) * 10000u / (percent * percent);
+}
+
+/* The openness of an edge under the rules as the graph stands. With `hopeful` the
+ * passage rule counts as met, which gives an upper bound without a look at neighbours. */
+static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
+{
+    const rs_edge *edge = &graph->edges[e];
+    uint16_t a = rs_merge_root(graph->regions, edge->a);
+    uint16_t b = rs_merge_root(graph->regions, edge->b);
+    uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
+    uint32_t as_room, as_passage;
+
+    if (a == b || p == 0u || q == 0u) {
+        return 0;
+    }
+    as_room = openness(edge->saddle, p, q, rules->room_opening_percent);
+    as_passage = openness(edge->saddle, p, q, rules->passage_opening_percent);
+    if (as_passage <= as_room || hopeful) {
+        return rs_max_u32(as_room, as_passage);
+    }
+    return is_passage(graph, a, rules->passage_min_neighbours, rules->smallest_cells) &&
+                   is_passage(graph, b, rules->passage_min_neighbours, rules->smallest_cells)
+               ? as_passage
+               : as_room;
+}
+
+/* One sweep over all edges, best first. Keys can only fall while a sweep goes on, but for
+ * passages that come into being, so an edge whose key fell goes back into the heap, and
+ * sweeps are repeated until one merges nothing. */
+static int sweep(const rs_merge_rules *rules, rs_graph *graph, rs_heap *heap, uint32_t *merged,
+                 rs_ticker *ticker)
+{
+    heap->count = 0;
+    *merged = 0;
+    for (uint32_t e = 0; e < graph->edge_count; e++) {
+        uint32_t key = edge_key(rules, graph, e, true);
+        if (key > 0u) {
+            rs_heap_push(heap, key, e);
+        }
+    }
+    while (heap->count > 0u) {
+        rs_heap_item best = rs_heap_pop(heap);
+        uint32_t key = edge_key(rules, graph, best.item, false);
+
+        if (rs_tick(ticker, 1, 0, 1)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        if (key > 0u && key < best.key) {
+            rs_heap_push(heap, key, best.item);
+        } else if (key > 0u) {
+            const rs_edge *edge = &graph->edges[best.item];
+            unite(graph, rs_merge_root(graph->regions, edge->a),
+                  rs_merge_root(graph->regions, edge->b));
+            ++*merged;
+        }
+    }
+    return ROOMSEG_OK;
+}
+
+/* The half-edge of `root` with the widest opening; equal ones: the longer border, then the
+ * earlier edge. RS_NO_HALF: no neighbour. */
+static uint32_t widest_half(rs_graph *graph, uint16_t root)
+{
+    uint32_t best = RS_NO_HALF;
+    uint32_t start, half;
+
+    if (graph->regions[root].first_half == RS_NO_HALF) {
+        return RS_NO_HALF;
+    }
+    start = next_outward(graph, root, graph->regions[root].first_half);
+    for (half = start; half != RS_NO_HALF;) {
+        const rs_edge *edge = &graph->edges[half >> 1];
+        const rs_edge *champion = &graph->edges[best == RS_NO_HALF ? 0u : best >> 1];
+
+        if (best == RS_NO_HALF || edge->saddle > champion->saddle ||
+            (edge->saddle == champion->saddle &&
+             (edge->border > champion->border ||
+              (edge->border == champion->border && half < best)))) {
+            best = half;
+        }
+        half = next_outward(graph, root, half);
+        if (half == start) {
+            break;
+        }
+    }
+    return best;
+}
+
+/* Lets every root below the smallest room join a neighbour, the smallest root first. */
+static int absorb_small(const rs_merge_rules *rules, rs_graph *graph, rs_heap *heap,
+                        rs_ticker *ticker)
+{
+    heap->count = 0;
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        const rs_region *region = &graph->regions[r];
+        if (region->parent == r && region->area < rules->smallest_cells) {
+            rs_heap_push(heap, UINT32_MAX - region->area, r);
+        }
+    }
+    while (heap->count > 0u) {
+        rs_heap_item smallest = rs_heap_pop(heap);
+        uint16_t root = (uint16_t)smallest.item;
+        uint32_t half;
+
+        if (rs_tick(ticker, 1, 1, 2)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        if (graph->regions[root].parent != root ||
+            graph->regions[root].area != UINT32_MAX - smallest.key) {
+            continue; /* merged meanwhile; as a part of another it was queued again */
+        }
+        half = widest_half(graph, root);
+        if (half != RS_NO_HALF) {
+            uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
+            uint16_t joined = unite(graph, root, other);
+            if (graph->regions[joined].area < rules->smallest_cells) {
+                rs_heap_push(heap, UINT32_MAX - graph->regions[joined].area, joined);
+            }
+        }
+    }
+    return ROOMSEG_OK;
+}
+
+static void drop_isolated(const rs_merge_rules *rules, rs_graph *graph)
+{
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        rs_region *region = &graph->regions[r];
+        if (region->parent == r && region->area < rules->isolated_cells &&
+            widest_half(graph, (uint16_t)r) == RS_NO_HALF) {
+            region->area = 0;
+        }
+    }
+}
+
+int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *heap_items,
+                 rs_ticker *ticker)
+{
+    rs_heap heap = {heap_items, 0};
+    uint32_t merged = 1;
+    int status = ROOMSEG_OK;
+
+    while (status == ROOMSEG_OK && merged > 0u) {
+        status = sweep(rules, graph, &heap, &merged, ticker);
+    }
+    if (status == ROOMSEG_OK) {
+        status = absorb_small(rules, graph, &heap, ticker);
+    }
+    if (status == ROOMSEG_OK) {
+        drop_isolated(rules, graph);
+    }
+    return status;
+}

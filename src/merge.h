@@ -1,0 +1,30 @@
+/* Stage 6: regions -> rooms. */
+#ifndef RS_MERGE_H
+#define RS_MERGE_H
+
+#include "base.h"
+#include "graph.h"
+#include "heap.h"
+
+/* The config's rules in cells. */
+typedef struct rs_merge_rules {
+    uint32_t smallest_cells;         /* smaller regions never stand alone */
+    uint32_t isolated_cells;         /* smaller regions without neighbour are dropped */
+    uint32_t room_opening_percent;   /* 1..100 */
+    uint32_t passage_opening_percent;
+    uint32_t passage_min_neighbours; /* 2..RS_MERGE_MAX_NEIGHBOURS */
+} rs_merge_rules;
+
+#define RS_MERGE_MAX_NEIGHBOURS 8u
+
+/* Merges regions, the best opening first, then lets the small ones join the neighbour with
+ * the widest opening, smallest first. Only the regions' parent, area, peak and first_cell
+ * change; roots stand for what was merged. A root that is dropped gets area 0.
+ * heap: max_regions * 3 elements of scratch. */
+int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *heap,
+                 rs_ticker *ticker);
+
+/* The root of a region. */
+uint16_t rs_merge_root(rs_region *regions, uint16_t region);
+
+#endif

@@ -92,12 +92,25 @@ int out_open(out_file *file, const char *path, tool_error *error) {
     return -1;
 }
 
-int out_commit(out_file *file, tool_error *error) {
-    int cause = 0;
+/* Flushes; 0, or the errno of what could not be written now or before. */
+static int flush_stream(FILE *stream) {
     errno = 0;
-    if (fflush(file->stream) != 0 || ferror(file->stream)) {
-        cause = errno != 0 ? errno : EIO;
+    if (fflush(stream) == 0 && !ferror(stream)) {
+        return 0;
     }
+    return errno != 0 ? errno : EIO;
+}
+
+int out_flush(out_file *file, tool_error *error) {
+    int cause = flush_stream(file->stream);
+    if (cause != 0) {
+        tool_error_set(error, "%s: cannot write: %s", file->path, strerror(cause));
+    }
+    return cause == 0 ? 0 : -1;
+}
+
+int out_commit(out_file *file, tool_error *error) {
+    int cause = flush_stream(file->stream);
     if (fclose(file->stream) != 0 && cause == 0) {
         cause = errno;
     }

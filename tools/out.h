@@ -24,6 +24,10 @@ char *out_join(const char *folder, const char *name);
 /* Opens the temporary file. Returns 0, or -1 with *error set and *file zeroed. */
 int out_open(out_file *file, const char *path, tool_error *error);
 
+/* Writes out what the stream still holds, for a message before other files are committed.
+ * Returns 0, or -1 with *error set; the file stays open in both cases. */
+int out_flush(out_file *file, tool_error *error);
+
 /* Flushes, closes and renames to the final name, which replaces what was there.
  * When anything has failed, the temporary file goes and what was there stays.
  * Returns 0, or -1 with *error set; *file is zeroed in both cases. */

@@ -7,23 +7,26 @@ static int vertical_distances(const rs_frame *frame, uint8_t *surface, rs_ticker
 
     for (uint32_t y = 1; y <= rows; y++) {
         uint8_t *row = surface + (size_t)y * stride;
+        const uint8_t *above = row - stride;
+
         if (rs_tick(ticker, frame->width, y, 4u * rows)) {
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; x < stride; x++) {
-            uint8_t above = row[x - stride];
-            row[x] = row[x] == 0u ? 0u : (uint8_t)(above + (above < RS_DISTANCE_MAX));
+            uint8_t farther = (uint8_t)(above[x] + (above[x] < RS_DISTANCE_MAX));
+            row[x] = row[x] == 0u ? 0u : farther;
         }
     }
     for (uint32_t y = rows; y >= 1u; y--) {
         uint8_t *row = surface + (size_t)y * stride;
+        const uint8_t *below = row + stride;
+
         if (rs_tick(ticker, frame->width, 2u * rows - y, 4u * rows)) {
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; x < stride; x++) {
-            uint8_t below = row[x + stride];
-            uint8_t limit = (uint8_t)(below + (below < RS_DISTANCE_MAX));
-            row[x] = row[x] < limit ? row[x] : limit;
+            uint8_t farther = (uint8_t)(below[x] + (below[x] < RS_DISTANCE_MAX));
+            row[x] = row[x] < farther ? row[x] : farther;
         }
     }
     return ROOMSEG_OK;
@@ -70,7 +73,7 @@ static uint32_t push_parabola(rs_parabola *envelope, uint32_t count, uint32_t x,
  * before and behind it are obstacles. */
 static void transform_run(uint8_t *row, uint32_t first, uint32_t last, rs_parabola *envelope)
 {
-    uint32_t count = 0, k = 0, rounded = 1;
+    uint32_t count = 0, k = 0, root = 1;
 
     for (uint32_t x = first - 1u; x <= last + 1u; x++) {
         count = push_parabola(envelope, count, x, row[x]);
@@ -83,15 +86,14 @@ static void transform_run(uint8_t *row, uint32_t first, uint32_t last, rs_parabo
         }
         offset = x > envelope[k].x ? x - envelope[k].x : envelope[k].x - x;
         squared = offset * offset + envelope[k].height;
-        /* Neighbours differ by at most one, so the root is followed instead of computed:
-         * r is the rounded root iff r^2 - r < squared <= r^2 + r. */
-        while (rounded < RS_DISTANCE_MAX && squared > rounded * rounded + rounded) {
-            rounded++;
+        /* Neighbours differ by at most one, so the root is followed instead of computed. */
+        while (root < RS_DISTANCE_MAX && squared >= (root + 1u) * (root + 1u)) {
+            root++;
         }
-        while (squared <= rounded * rounded - rounded) {
-            rounded--;
+        while (squared < root * root) {
+            root--;
         }
-        row[x] = (uint8_t)rounded;
+        row[x] = (uint8_t)root;
     }
 }
 

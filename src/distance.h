@@ -15,7 +15,7 @@ RS_STATIC_ASSERT(sizeof(rs_parabola) == 8u, parabola);
 
 /* surface: bordered, 0 = obstacle, else free; the border must be 0. Each free cell becomes
  * the Euclidean distance between its centre and the nearest obstacle cell's centre, rounded
- * to the nearest integer [cells], 1..RS_DISTANCE_MAX (saturating).
+ * down to whole cells, 1..RS_DISTANCE_MAX (saturating).
  * Exact up to the rounding. Separable lower envelope of parabolas: Meijster, Roerdink,
  * Hesselink, "A general algorithm for computing distance transforms in linear time", 2000.
  * envelope: frame->stride elements of scratch. */

@@ -113,7 +113,7 @@ static void init(edge_table *table)
     memset(table->slots, 0xFF, table->slot_count * sizeof *table->slots); /* NO_EDGE */
 }
 
-int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t free_max,
+int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
                    uint32_t max_edges, uint32_t *slots, rs_ticker *ticker)
 {
@@ -138,7 +138,7 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t free
             if (p == 0u) {
                 continue;
             }
-            if (cells[x] <= free_max) {
+            if (cells[x] < occupied_min) {
                 measure_cell(&graph->regions[p], height[x], index + x, x, y);
             }
             if (right != p && right != 0u &&

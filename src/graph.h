@@ -7,10 +7,10 @@
 
 /* One region of the watershed; regions[label], regions[0] is unused. */
 typedef struct rs_region {
-    uint32_t area;           /* free cells of the grid, without transparent obstacles */
-    uint32_t first_cell;     /* its first free cell in reading order, bordered index */
+    uint32_t area;           /* cells that may carry a label */
+    uint32_t first_cell;     /* the first of them in reading order, bordered index */
     uint32_t first_half;     /* half-edge list, RS_NO_HALF: no neighbour */
-    uint16_t peak_x, peak_y; /* a free cell of the greatest distance, crop coordinates */
+    uint16_t peak_x, peak_y; /* the one of the greatest distance, crop coordinates */
     uint16_t parent;         /* region it was merged into; its own label: a root */
     uint16_t peak;           /* that greatest distance [cells] */
     uint16_t room;           /* label of the room it belongs to; 0: none */
@@ -57,7 +57,7 @@ static inline uint32_t rs_graph_next_half(const rs_graph *graph, uint32_t half)
  * slots: ROOMSEG_PLAN_SLOTS(n) for the n of max_edges = ROOMSEG_PLAN_EDGES(n), scratch.
  * Fails iff: cancelled, or more than max_edges pairs of regions touch (ROOMSEG_ERR_REGIONS;
  * not for regions of rs_watershed_run, whose graph is planar). */
-int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t free_max,
+int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
                    uint32_t max_edges, uint32_t *slots, rs_ticker *ticker);
 

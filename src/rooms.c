@@ -59,7 +59,7 @@ static void add_run(roomseg_room *room, rs_room_sum *sum, uint32_t first, uint32
     sum->y += (uint64_t)y * length;
 }
 
-static void label_row(const uint8_t *cells, uint8_t free_max, const rs_graph *graph,
+static void label_row(const uint8_t *cells, uint8_t occupied_min, const rs_graph *graph,
                       uint16_t *labels, uint32_t width, uint32_t y, rs_room_records *records)
 {
     uint32_t x = 0;
@@ -72,12 +72,12 @@ static void label_row(const uint8_t *cells, uint8_t free_max, const rs_graph *gr
             x++;
             continue;
         }
-        if (cells[x] > free_max) {
+        if (cells[x] >= occupied_min) {
             labels[x++] = 0;
             continue;
         }
         room = graph->regions[region].room;
-        while (x < width && labels[x] == region && cells[x] <= free_max) {
+        while (x < width && labels[x] == region && cells[x] < occupied_min) {
             labels[x++] = room;
         }
         if (room != 0u) {
@@ -115,7 +115,7 @@ static void finish_room(const rs_frame *frame, uint32_t resolution_mm, const rs_
         (uint16_t)rs_min_u32((2u * region->peak - 1u) * resolution_mm / 2u, UINT16_MAX);
 }
 
-int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t free_max,
+int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const rs_graph *graph, const rs_labels *labels, rs_room_records *records,
                    rs_ticker *ticker)
 {
@@ -125,7 +125,7 @@ int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t free
         if (rs_tick(ticker, frame->width, y, frame->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        label_row(cells, free_max, graph, labels->cells + (size_t)y * labels->stride,
+        label_row(cells, occupied_min, graph, labels->cells + (size_t)y * labels->stride,
                   frame->width, y, records);
     }
     for (uint32_t r = 1; r <= graph->region_count; r++) {

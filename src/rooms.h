@@ -28,9 +28,9 @@ typedef struct rs_room_records {
  * Fails iff there are more than max_rooms (ROOMSEG_ERR_ROOMS). */
 int rs_rooms_number(rs_graph *graph, rs_room_records *records, rs_heap_item *heap);
 
-/* Replaces the region labels by room labels, 0 on cells that are not free in the grid, and
+/* Replaces the region labels by room labels, 0 on cells of occupied_min or more, and
  * measures the rooms. */
-int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t free_max,
+int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const rs_graph *graph, const rs_labels *labels, rs_room_records *records,
                    rs_ticker *ticker);
 

@@ -109,12 +109,11 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                       rs_ticker *ticker)
 {
     uint32_t mm = grid->resolution_mm;
-    uint8_t free_max = config->free_max;
     rs_merge_rules rules;
     rs_queue queue;
     int status;
 
-    status = rs_threshold_run(grid, free_max, frame, b->surface, ticker);
+    status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);
     STAGE(COMPONENTS, rs_components_clear_small(frame, component_limits(config, mm), b->surface,
                                                 &b->components, ticker));
     STAGE(SURFACE, rs_distance_run(frame, b->surface, b->envelope, ticker));
@@ -123,7 +122,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     }
     STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
                                       &b->graph.region_count, &queue, ticker));
-    STAGE(GRAPH, rs_graph_build(frame, grid, free_max, b->surface, labels, &b->graph,
+    STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, b->slots, ticker));
     if (status == ROOMSEG_OK) {
         rules = merge_rules(config, mm, &b->graph);
@@ -131,7 +130,8 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(MERGE, rs_merge_run(&rules, &b->graph, b->heap, ticker));
     STAGE(ROOMS, rs_rooms_number(&b->graph, &b->records, b->heap));
     if (status == ROOMSEG_OK) {
-        status = rs_rooms_label(frame, grid, free_max, &b->graph, labels, &b->records, ticker);
+        status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,
+                                ticker);
     }
     if (status == ROOMSEG_OK) {
         status = rs_rooms_connect(frame, mm, &b->graph, &b->records, b->heap);

@@ -103,18 +103,21 @@ typedef struct roomseg_grid {
 
 /* Take a ready set from roomseg_config_default() and change single fields. */
 typedef struct roomseg_config {
-    /* A cell is free when its value is at most this, else it is an obstacle
-     * (unknown cells too). 0..254; default 51 = 0.2 of full occupancy. */
+    /* A cell is free when its value is at most free_max, else it is an obstacle (unknown
+     * cells too). From occupied_min on an obstacle is certain: such a cell never carries a
+     * label. 0 <= free_max < occupied_min <= 255; default 51 and 204, that is 0.2 and 0.8
+     * of full occupancy. */
     uint8_t free_max;
+    uint8_t occupied_min;
 
-    /* Obstacles smaller than this are noise: the cells count as free for the shape
-     * of the rooms, yet carry no label. Area of a 4-connected component [mm2],
-     * 0 (keep all)..ROOMSEG_MAX_SPECK_MM2; default 96,000 = 60 cells of 4 cm. */
+    /* Obstacles smaller than this are noise and do not shape the rooms. Area of a
+     * 4-connected component [mm2], 0 (keep all)..ROOMSEG_MAX_SPECK_MM2; default 96,000 =
+     * 60 cells of 4 cm. Their cells below occupied_min carry the label of the room around. */
     uint32_t speck_mm2;
 
-    /* Free-standing obstacles whose bounding box is at most this long on both
-     * sides (chair legs, table legs, a bin) are transparent in the same way.
-     * [mm], 0 (none)..ROOMSEG_MAX_CLUTTER_MM; default 640. */
+    /* The same for free-standing obstacles whose bounding box is at most this long on both
+     * sides: chair and table legs, a bin. [mm], 0 (none)..ROOMSEG_MAX_CLUTTER_MM; default
+     * 640. */
     uint32_t clutter_mm;
 
     /* Regions below this area never stand as a room of their own [mm2],
@@ -206,7 +209,7 @@ int roomseg_arena_size_for_grid(const roomseg_config *config, const roomseg_grid
 
 /* Segments a grid.
  * labels: width x height cells, label of (x, y) = labels[y * label_stride + x];
- *   0 = no room (obstacle, unknown, dropped), 1..room_count otherwise. label_stride in
+ *   0 = no room (obstacle, unknown, dropped free space), 1..room_count otherwise. label_stride in
  *   elements, >= width. Cells between width and label_stride are not touched.
  * arena: arena_size bytes, aligned to ROOMSEG_ARENA_ALIGN; contents need no
  *   preparation and mean nothing afterwards but for what *result points to. May be NULL

@@ -10,8 +10,10 @@
 /* Comparing every two rooms takes too long above this; then only neighbours count. */
 #define MAX_ROOMS_COMPARED 2000u
 
-/* Below this distance in CIELAB two colours begin to look alike. */
-#define CLEAR_DISTANCE2 (50.0 * 50.0)
+/* Below these distances in CIELAB two colours begin to look alike: side by side, where the
+ * difference must strike, and with a wall between them. */
+#define CLEAR_BESIDE 50.0
+#define CLEAR_NEARBY 28.0
 
 #define NO_COLOR 255u
 
@@ -37,13 +39,13 @@ color room_color(uint8_t index) {
     return palette[index].paint;
 }
 
-/* 1 for the same colour, falling to 0 for colours that nobody confuses. */
-static double similarity(int i, int j) {
+/* 1 for the same colour, falling to 0 at a distance of `clear`. */
+static double similarity(int i, int j, double clear) {
     double l = palette[i].l - palette[j].l;
     double a = palette[i].a - palette[j].a;
     double b = palette[i].b - palette[j].b;
-    double distance2 = l * l + a * a + b * b;
-    return distance2 < CLEAR_DISTANCE2 ? 1.0 - distance2 / CLEAR_DISTANCE2 : 0.0;
+    double share = (l * l + a * a + b * b) / (clear * clear);
+    return share < 1.0 ? 1.0 - share : 0.0;
 }
 
 /* Index of the room on the other side of room i's k-th doorway. */
@@ -66,18 +68,17 @@ static double nearness(const roomseg_room *a, const roomseg_room *b) {
 
 /* Chooses for room i, given the rooms that have a colour already. */
 static uint8_t choose(const roomseg_result *r, uint32_t i, const uint8_t *index) {
-    double weight[ROOM_COLOR_COUNT] = {0};
+    double nearby[ROOM_COLOR_COUNT] = {0};
     uint8_t taken[ROOM_COLOR_COUNT] = {0};
     for (uint32_t k = 0; k < r->rooms[i].link_count; k++) {
         uint8_t other = index[neighbour(r, i, k)];
         if (other != NO_COLOR) {
-            weight[other] += NEIGHBOUR_WEIGHT;
             taken[other] = 1;
         }
     }
     for (uint32_t j = 0; j < r->room_count && r->room_count <= MAX_ROOMS_COMPARED; j++) {
         if (index[j] != NO_COLOR) {
-            weight[index[j]] += nearness(&r->rooms[i], &r->rooms[j]);
+            nearby[index[j]] += nearness(&r->rooms[i], &r->rooms[j]);
         }
     }
     int best = -1;
@@ -85,7 +86,8 @@ static uint8_t choose(const roomseg_result *r, uint32_t i, const uint8_t *index)
     for (int c = 0; c < ROOM_COLOR_COUNT; c++) {
         double cost = 0;
         for (int other = 0; other < ROOM_COLOR_COUNT; other++) {
-            cost += weight[other] * similarity(c, other);
+            cost += NEIGHBOUR_WEIGHT * taken[other] * similarity(c, other, CLEAR_BESIDE) +
+                    nearby[other] * similarity(c, other, CLEAR_NEARBY);
         }
         if (!taken[c] && (best < 0 || cost < best_cost)) {
             best = c;

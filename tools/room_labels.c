@@ -25,23 +25,47 @@ double room_text_height(const view *v) {
 }
 
 void draw_label(canvas *c, double x, double y, const char *text, double height) {
-    /* Small strokes would fade without the constant part. */
+    /* Thin strokes would fade without the constant part. */
     double radius = INK_RADIUS * height + 0.1;
     draw_text(c, x, y, text, height, radius + HALO_PX, halo);
     draw_text(c, x, y, text, height, radius, ink);
 }
 
-/* Does a box of that many pixels around the interior point lie in the room? */
-static int fits(const view *v, const roomseg_room *room, double width_px, double height_px) {
-    int half_x = (int)(width_px / view_px(v, 2));
-    int half_y = (int)(height_px / view_px(v, 2));
+typedef struct size_px {
+    double width, height;
+} size_px;
+
+/* A place for a text: its middle [cells]. */
+typedef struct place {
+    int x, y;
+} place;
+
+/* Do 2 * half_x + 1 by 2 * half_y + 1 cells around the place lie in the room? */
+static int is_inside(const view *v, uint16_t label, place at, int half_x, int half_y) {
     long own = 0;
-    for (int y = -half_y; y <= half_y; y++) {
-        for (int x = -half_x; x <= half_x; x++) {
-            own += view_label(v, room->interior_x + x, room->interior_y + y) == room->label;
+    for (int y = at.y - half_y; y <= at.y + half_y; y++) {
+        for (int x = at.x - half_x; x <= at.x + half_x; x++) {
+            own += view_label(v, x, y) == label;
         }
     }
     return (double)own >= MIN_OWN_SHARE * (2.0 * half_x + 1) * (2.0 * half_y + 1);
+}
+
+/* Looks for a place at the room's interior point, or moved so far that the text still
+ * touches it. Returns whether there is one. */
+static int find_place(const view *v, const roomseg_room *room, size_px size, place *out) {
+    static const int8_t moves[][2] = {{0, 0},  {0, -1}, {0, 1},  {-1, 0}, {1, 0},
+                                      {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    int half_x = (int)(size.width / view_px(v, 2));
+    int half_y = (int)(size.height / view_px(v, 2));
+    for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
+        *out = (place){room->interior_x + moves[i][0] * half_x,
+                       room->interior_y + moves[i][1] * half_y};
+        if (is_inside(v, room->label, *out, half_x, half_y)) {
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* How a label of a given height can be laid out. */
@@ -62,27 +86,26 @@ static label_text text_of(const roomseg_room *room, double cell_m2) {
     return t;
 }
 
-static int layout_fits(const view *v, const roomseg_room *room, const label_text *t,
-                       layout how, double height) {
+/* Pixels that a layout takes, with some space around it. */
+static size_px size_of(const label_text *t, layout how, double height) {
     double around = ROOM_AROUND * height;
+    double small = AREA_HEIGHT * height;
     double number = text_width(t->number, height);
-    double area = text_width(t->area, AREA_HEIGHT * height);
+    double area = text_width(t->area, small);
     switch (how) {
     case TWO_LINES:
-        return fits(v, room, (number > area ? number : area) + around,
-                    (1 + LINE_GAP + AREA_HEIGHT) * height + around);
+        return (size_px){fmax(number, area) + around, (1 + LINE_GAP) * height + small + around};
     case ONE_LINE:
-        return fits(v, room, text_width(t->both, AREA_HEIGHT * height) + around,
-                    AREA_HEIGHT * height + around);
+        return (size_px){text_width(t->both, small) + around, small + around};
     default:
-        return fits(v, room, number + around, height + around);
+        return (size_px){number + around, height + around};
     }
 }
 
-static void draw_layout(canvas *c, const view *v, const roomseg_room *room,
-                        const label_text *t, layout how, double height) {
-    double x = view_px_x(v, room->interior_x);
-    double y = view_px_y(v, room->interior_y);
+static void draw_layout(canvas *c, const view *v, place at, const label_text *t, layout how,
+                        double height) {
+    double x = view_px_x(v, at.x);
+    double y = view_px_y(v, at.y);
     double small = AREA_HEIGHT * height;
     if (how == TWO_LINES) {
         draw_label(c, x, y - (LINE_GAP * height + small) / 2, t->number, height);
@@ -104,15 +127,18 @@ static void draw_room_label(canvas *c, const view *v, const roomseg_room *room) 
     };
     label_text t = text_of(room, v->m->resolution_m * v->m->resolution_m);
     double full = room_text_height(v);
+    place at;
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         double height = choices[i].size * full;
         double smallest = choices[i].how == NUMBER_ONLY ? height : AREA_HEIGHT * height;
-        if (smallest >= MIN_HEIGHT_PX && layout_fits(v, room, &t, choices[i].how, height)) {
-            draw_layout(c, v, room, &t, choices[i].how, height);
+        if (smallest >= MIN_HEIGHT_PX &&
+            find_place(v, room, size_of(&t, choices[i].how, height), &at)) {
+            draw_layout(c, v, at, &t, choices[i].how, height);
             return;
         }
     }
-    draw_layout(c, v, room, &t, NUMBER_ONLY, fmax(0.6 * full, MIN_HEIGHT_PX));
+    at = (place){room->interior_x, room->interior_y};
+    draw_layout(c, v, at, &t, NUMBER_ONLY, fmax(0.6 * full, MIN_HEIGHT_PX));
 }
 
 void draw_room_labels(canvas *c, const view *v) {

@@ -11,6 +11,7 @@
 #include "view.h"
 
 static const color unknown_color = {233, 236, 239};
+static const color frontier_color = {165, 172, 180};
 static const color free_color = {255, 255, 255};
 static const color obstacle_color = {52, 58, 64};
 static const color door_color = {214, 29, 84};
@@ -22,11 +23,26 @@ static const color bar_color = {73, 80, 87};
 
 /* Thickness of a doorway's stroke. */
 #define DOOR_RADIUS_M 0.05
-#define DOOR_MIN_RADIUS_PX 1.6
+#define DOOR_MIN_RADIUS_PX 2.2
 #define DOOR_EDGE_PX 1.4
 
 /* What is shown of a cell; where cells share a pixel, the largest wins. */
-enum { SHOW_UNKNOWN, SHOW_FREE, SHOW_ROOM, SHOW_OBSTACLE = SHOW_ROOM + 65536 };
+enum {
+    SHOW_UNKNOWN,
+    SHOW_FRONTIER, /* unknown beside a room: shows walls where maps do not tell them */
+    SHOW_FREE,
+    SHOW_ROOM,
+    SHOW_OBSTACLE = SHOW_ROOM + 65536
+};
+
+static int touches_room(const view *v, int x, int y) {
+    for (int i = 0; i < 9; i++) {
+        if (view_label(v, x + i % 3 - 1, y + i / 3 - 1) != 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
 
 static int what_is_at(const view *v, int x, int y, uint8_t occupied_above) {
     if (x < 0 || y < 0 || x >= (int)v->m->width || y >= (int)v->m->height) {
@@ -40,13 +56,18 @@ static int what_is_at(const view *v, int x, int y, uint8_t occupied_above) {
     if (cell > occupied_above) {
         return SHOW_OBSTACLE;
     }
-    return cell <= v->s->config.free_max ? SHOW_FREE : SHOW_UNKNOWN;
+    if (cell <= v->s->config.free_max) {
+        return SHOW_FREE;
+    }
+    return touches_room(v, x, y) ? SHOW_FRONTIER : SHOW_UNKNOWN;
 }
 
 static color color_of(int shown, const uint8_t *color_index) {
     switch (shown) {
     case SHOW_UNKNOWN:
         return unknown_color;
+    case SHOW_FRONTIER:
+        return frontier_color;
     case SHOW_FREE:
         return free_color;
     case SHOW_OBSTACLE:
@@ -125,7 +146,7 @@ static void draw_door(canvas *c, const view *v, const roomseg_doorway *d) {
     draw_line(c, x - dx, y - dy, x + dx, y + dy, radius, door_color);
 }
 
-/* A bar of a round length between an eighth and a third of the picture's width, if any. */
+/* A bar of the longest round length that takes at most a sixth of the picture's width. */
 static void draw_scale_bar(canvas *c, const view *v) {
     static const double lengths_m[] = {50, 20, 10, 5, 2, 1, 0.5, 0.2};
     double height = 0.75 * room_text_height(v);

@@ -6,7 +6,7 @@
 #define LONG_SIDE_MAX_CELLS 4000
 #define MAX_SCALE 32
 
-#define MARGIN_M 0.4
+#define MARGIN_M 0.6
 #define MARGIN_MIN_CELLS 5
 
 static int smaller(int a, int b) {

@@ -1,0 +1,239 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "args.h"
+#include "bench_json.h"
+#include "bench_run.h"
+#include "bench_table.h"
+#include "commands.h"
+#include "config_option.h"
+#include "dataset.h"
+#include "json.h"
+#include "truth.h"
+
+static const char usage[] =
+    "usage: roomseg bench DATASET [--set NAME] [--profile default] [--reps N] [--json]\n"
+    "                     [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
+    "                     [--labels FOLDER]\n";
+
+static const char help[] =
+    "\n"
+    "Segments every map of a data set; prints scores against the truth, time and memory.\n"
+    "\n"
+    "DATASET is a folder with maps (PNG, PGM or YAML) in one of these layouts:\n"
+    "  SET/NAME.png       a set per folder; truth in groundtruth/NAME.png or .pgm\n"
+    "  NAME/map.pgm       one set; truth beside each map as truth.pgm or .png\n"
+    "  NAME.png           one set; truth in groundtruth/\n"
+    "Maps without truth: rooms, time and memory alone. How truth is read: roomseg eval --help.\n"
+    "\n"
+    "  --set NAME            this set alone\n"
+    "  --profile NAME        set of parameters; there is one, default\n"
+    "  --reps N              timed runs per map, 1 to 1000; default 3; the median counts\n"
+    "  --json                one JSON document instead of tables; shares from 0 to 1\n"
+    "  --resolution M        edge of a cell in metres, 0.02 to 0.2; default: what the map\n"
+    "                        says, else 0.04\n"
+    "  --invert              the images are white where the floor is free (not for YAML)\n"
+    "  --config FIELD=VALUE  sets a field of the configuration; may be repeated\n"
+    "  --labels FOLDER       writes the labels to FOLDER/SET/NAME.pgm\n"
+    "\n"
+    "The time is the CPU time of roomseg_run, without reading files. Deviations are those of\n"
+    "a sample (n - 1). A map that fails is named and left out; the exit code is then 1.\n";
+
+#define DEFAULT_REPETITIONS 3
+
+typedef struct request {
+    const char *folder;
+    const char *set; /* NULL: all */
+    bench_settings settings;
+    int json, help;
+} request;
+
+static int read_values(const char *profile, const char *repetitions, const char *resolution,
+                       request *out, tool_error *error) {
+    long count = DEFAULT_REPETITIONS;
+    if (profile != NULL && strcmp(profile, "default") != 0) {
+        tool_error_set(error, "unknown profile '%s'; there is one, default", profile);
+        return -1;
+    }
+    if (repetitions != NULL &&
+        args_integer("--reps", repetitions, 1, BENCH_MAX_REPETITIONS, &count, error) != 0) {
+        return -1;
+    }
+    if (resolution != NULL &&
+        args_real("--resolution", resolution, ROOMSEG_MIN_RESOLUTION_MM / 1000.0,
+                  ROOMSEG_MAX_RESOLUTION_MM / 1000.0, &out->settings.map.resolution_m,
+                  error) != 0) {
+        return -1;
+    }
+    out->settings.repetitions = (int)count;
+    return 0;
+}
+
+static int read_request(int argc, char **argv, request *out, tool_error *error) {
+    const char *profile = NULL;
+    const char *repetitions = NULL;
+    const char *resolution = NULL;
+    int operands;
+    memset(out, 0, sizeof *out);
+    out->settings.config = roomseg_config_default();
+    const arg_option options[] = {
+        {"--set", NULL, &out->set, NULL},
+        {"--profile", NULL, &profile, NULL},
+        {"--reps", NULL, &repetitions, NULL},
+        {"--resolution", NULL, &resolution, NULL},
+        {"--labels", NULL, &out->settings.labels_folder, NULL},
+        {"--invert", NULL, NULL, &out->settings.map.invert},
+        {"--json", NULL, NULL, &out->json},
+        {"--help", "-h", NULL, &out->help},
+        {NULL, NULL, NULL, NULL},
+    };
+    if (config_take_options(&argc, argv, &out->settings.config, error) != 0 ||
+        args_parse(argc, argv, options, &out->folder, 1, &operands, error) != 0) {
+        return -1;
+    }
+    if (!out->help && operands == 0) {
+        tool_error_set(error, "bench: which data set?");
+        return -1;
+    }
+    return read_values(profile, repetitions, resolution, out, error);
+}
+
+/* Position in the whole run, for the progress line. */
+typedef struct progress {
+    size_t done, total;
+    int terminal; /* standard error is one: the line is overwritten */
+} progress;
+
+static void show_start(const progress *p, const char *set, const char *name) {
+    if (p->terminal) {
+        fprintf(stderr, "\r\033[K[%zu/%zu] %s/%s", p->done + 1, p->total, set, name);
+    }
+}
+
+static void show_end(progress *p, const char *set, const map_result *result) {
+    p->done++;
+    if (p->terminal) {
+        fputs("\r\033[K", stderr);
+    }
+    if (result->failure.text[0] != '\0') {
+        tool_error_print(&result->failure);
+    } else if (!p->terminal) {
+        fprintf(stderr, "[%zu/%zu] %s/%s: %u rooms, %.1f ms\n", p->done, p->total, set,
+                result->name, (unsigned)result->rooms, result->time_ms);
+    }
+}
+
+/* Fails iff memory runs out: what goes wrong with a map is part of the result. */
+static int run_set(const request *q, const dataset_set *set, progress *p, set_result *out) {
+    if (set_result_open(out, set->name) != 0) {
+        return -1;
+    }
+    for (size_t i = 0; i < set->count; i++) {
+        tool_error failure = {""};
+        map_result *result = set_result_add(out, set->maps[i].name);
+        if (result == NULL) {
+            return -1;
+        }
+        show_start(p, set->name, result->name);
+        if (bench_run_map(&q->settings, set, &set->maps[i], result, &failure) != 0) {
+            result->failure = failure;
+        }
+        show_end(p, set->name, result);
+    }
+    return 0;
+}
+
+static int is_wanted(const request *q, const dataset_set *set) {
+    return q->set == NULL || strcmp(q->set, set->name) == 0;
+}
+
+static void print_json(const request *q, const set_result *sets, size_t count) {
+    fputs("{\"dataset\": ", stdout);
+    json_string(stdout, q->folder);
+    printf(",\n \"profile\": \"default\", \"repetitions\": %d, \"speck_cells\": %u,\n",
+           q->settings.repetitions, TRUTH_SPECK_CELLS);
+    fputs(" \"config\": ", stdout);
+    config_print_json(stdout, &q->settings.config);
+    fputs(",\n \"sets\": ", stdout);
+    bench_json_print_sets(stdout, sets, count);
+    fputs("}\n", stdout);
+}
+
+/* Runs the wanted sets; *count receives how many have a record in `results`, which has room
+ * for all. */
+static int run_sets(const request *q, const dataset *data, set_result *results,
+                    size_t *count) {
+    progress p = {0, 0, isatty(STDERR_FILENO)};
+    *count = 0;
+    for (size_t i = 0; i < data->count; i++) {
+        p.total += is_wanted(q, &data->sets[i]) ? data->sets[i].count : 0;
+    }
+    for (size_t i = 0; i < data->count; i++) {
+        if (!is_wanted(q, &data->sets[i])) {
+            continue;
+        }
+        set_result *result = &results[(*count)++];
+        if (run_set(q, &data->sets[i], &p, result) != 0) {
+            return -1;
+        }
+        if (!q->json) {
+            bench_table_print(stdout, result);
+            fflush(stdout);
+        }
+    }
+    return 0;
+}
+
+static int bench(const request *q, const dataset *data, tool_error *error) {
+    size_t count = 0;
+    size_t failures = 0;
+    set_result *results = calloc(data->count, sizeof *results);
+    int rc = results != NULL ? run_sets(q, data, results, &count) : -1;
+    if (rc != 0) {
+        tool_error_set(error, "%s: out of memory", q->folder);
+    } else if (count == 0) {
+        tool_error_set(error, "%s: has no set '%s'", q->folder, q->set);
+        rc = -1;
+    } else if (q->json) {
+        print_json(q, results, count);
+    } else {
+        bench_table_print_summary(stdout, results, count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        failures += result_failures(&results[i]);
+        set_result_free(&results[i]);
+    }
+    free(results);
+    if (rc == 0 && failures > 0) {
+        tool_error_set(error, "%s: %zu maps failed", q->folder, failures);
+        rc = -1;
+    }
+    return rc;
+}
+
+int cmd_bench(int argc, char **argv) {
+    request q;
+    dataset data;
+    tool_error error;
+    if (read_request(argc, argv, &q, &error) != 0) {
+        return args_usage_error(&error, usage);
+    }
+    if (q.help) {
+        printf("%s%s", usage, help);
+        return EXIT_DONE;
+    }
+    int rc = dataset_open(q.folder, &data, &error);
+    if (rc == 0) {
+        rc = bench(&q, &data, &error);
+        dataset_free(&data);
+    }
+    if (rc != 0) {
+        tool_error_print(&error);
+        return EXIT_BAD_INPUT;
+    }
+    return EXIT_DONE;
+}

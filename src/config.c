@@ -6,6 +6,7 @@ roomseg_config roomseg_config_default(void)
 {
     roomseg_config config;
 
+    config.profile = ROOMSEG_PROFILE_DEFAULT;
     config.free_max = 51;
     config.occupied_min = 204;
     config.speck_mm2 = 96000;
@@ -24,7 +25,7 @@ roomseg_config roomseg_config_default(void)
 
 int rs_config_check(const roomseg_config *config)
 {
-    bool good = config->free_max < config->occupied_min && config->speck_mm2 <= ROOMSEG_MAX_SPECK_MM2 &&
+    bool good = config->profile != NULL && config->free_max < config->occupied_min && config->speck_mm2 <= ROOMSEG_MAX_SPECK_MM2 &&
                 config->clutter_mm <= ROOMSEG_MAX_CLUTTER_MM &&
                 config->smallest_room_mm2 <= ROOMSEG_MAX_SMALLEST_ROOM_MM2 &&
                 config->isolated_permille <= 1000u && config->room_opening_percent >= 1u &&

@@ -5,30 +5,15 @@ RS_STATIC_ASSERT(ROOMSEG_STAGE_COMPONENTS == 1 && ROOMSEG_STAGE_SURFACE == 2 &&
                      ROOMSEG_STAGE_MERGE == 5 && ROOMSEG_STAGE_ROOMS == 6,
                  plan_stages);
 
-typedef struct rs_plan_row {
-    size_t bytes;
-    int first, last; /* stages */
-} rs_plan_row;
-
 static size_t end_of(const rs_plan *plan, const rs_plan_row *rows, uint32_t i)
 {
     return plan->offset[i] + ROOMSEG_PLAN_ALIGN(rows[i].bytes);
 }
 
-/* Each buffer goes behind the last one above it in the table with which it shares a stage.
- * The table is ordered so that this leaves no gap: the size is what ROOMSEG_ARENA_SIZE()
- * computes, the most that any one stage has alive (tested). */
-void rs_plan_make(const roomseg_config *config, uint32_t width, uint32_t height,
-                  uint32_t resolution_mm, rs_plan *plan)
+void rs_plan_place(const rs_plan_row *rows, uint32_t count, rs_plan *plan)
 {
-    size_t small = ROOMSEG_PLAN_SMALL(config->speck_mm2, config->clutter_mm, resolution_mm);
-#define ROW(S, name, element, count, first, last) {(element) * (count), first, last},
-    const rs_plan_row rows[RS_BUFFER_COUNT] = {ROOMSEG_PLAN_TABLE(
-        ROW, , width, height, small, config->max_regions, config->max_rooms)};
-#undef ROW
-
     plan->size = 0;
-    for (uint32_t i = 0; i < RS_BUFFER_COUNT; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         size_t offset = 0;
         for (uint32_t j = 0; j < i; j++) {
             if (rows[j].first <= rows[i].last && rows[i].first <= rows[j].last &&
@@ -41,4 +26,16 @@ void rs_plan_make(const roomseg_config *config, uint32_t width, uint32_t height,
             plan->size = end_of(plan, rows, i);
         }
     }
+}
+
+void rs_plan_default(const roomseg_config *config, uint32_t width, uint32_t height,
+                     uint32_t resolution_mm, rs_plan *plan)
+{
+    size_t small = ROOMSEG_PLAN_SMALL(config->speck_mm2, config->clutter_mm, resolution_mm);
+#define ROW(S, name, element, count, first, last) {(element) * (count), first, last},
+    const rs_plan_row rows[RS_BUFFER_COUNT] = {ROOMSEG_PLAN_TABLE(
+        ROW, , width, height, small, config->max_regions, config->max_rooms)};
+#undef ROW
+
+    rs_plan_place(rows, RS_BUFFER_COUNT, plan);
 }

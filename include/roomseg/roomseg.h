@@ -101,8 +101,17 @@ typedef struct roomseg_grid {
     uint32_t resolution_mm; /* edge of a cell, 20..200 mm */
 } roomseg_grid;
 
+/* A profile is one way through the pipeline. The config points to it, so that the linker
+ * drops the stages of a profile that a program never names.
+ * ROOMSEG_PROFILE_DEFAULT: distance map, merging by the width of openings. */
+typedef struct roomseg_profile roomseg_profile;
+extern const roomseg_profile roomseg_profile_default;
+#define ROOMSEG_PROFILE_DEFAULT (&roomseg_profile_default)
+
 /* Take a ready set from roomseg_config_default() and change single fields. */
 typedef struct roomseg_config {
+    const roomseg_profile *profile; /* one of the ROOMSEG_PROFILE_ constants, not NULL */
+
     /* A cell is free when its value is at most free_max, else it is an obstacle (unknown
      * cells too). From occupied_min on an obstacle is certain: such a cell never carries a
      * label. 0 <= free_max < occupied_min <= 255; default 51 and 204, that is 0.2 and 0.8

@@ -1,0 +1,32 @@
+/* What a profile is to roomseg_run(): how it lays out the arena and what it runs. The
+ * config points to its profile, so a firmware that never names a profile does not link it. */
+#ifndef RS_PROFILE_H
+#define RS_PROFILE_H
+
+#include "base.h"
+#include "plan.h"
+#include "watershed.h"
+
+struct roomseg_profile {
+    /* Places the buffers for a crop of width x height cells; all numbers are in range. */
+    void (*plan)(const roomseg_config *config, uint32_t width, uint32_t height,
+                 uint32_t resolution_mm, rs_plan *plan);
+
+    /* Every stage behind the crop. labels are 0 on entry. Fills the records and counts of
+     * *result, after an error too as far as the run came. */
+    int (*run)(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+               const rs_plan *plan, const rs_labels *labels, roomseg_result *result,
+               void *arena, rs_ticker *ticker);
+};
+
+/* Evaluates a stage unless an earlier one failed or the hook cancels on entering it. */
+#define STAGE(name, call)                                              \
+    do {                                                               \
+        if (status == ROOMSEG_OK) {                                    \
+            status = rs_ticker_enter(ticker, ROOMSEG_STAGE_##name)     \
+                         ? ROOMSEG_ERR_CANCELLED                       \
+                         : (call);                                     \
+        }                                                              \
+    } while (0)
+
+#endif

@@ -1,0 +1,154 @@
+/* The default profile: distance map, one region a peak, merging by the width of openings.
+ * run_stages() is its table of contents, one call a stage. */
+#include <string.h>
+
+#include "components.h"
+#include "distance.h"
+#include "graph.h"
+#include "merge.h"
+#include "plan.h"
+#include "profile.h"
+#include "rooms.h"
+#include "threshold.h"
+#include "watershed.h"
+
+/* All buffers of a run, placed in the arena by the plan. */
+typedef struct rs_buffers {
+    uint8_t *surface;
+    rs_component_scratch components;
+    rs_parabola *envelope;
+    rs_queue_list *queue_lists;
+    rs_queue_block *queue_blocks;
+    uint32_t queue_block_count;
+    rs_graph graph;
+    uint32_t max_edges;
+    uint32_t *slots;
+    rs_heap_item *heap;
+    rs_room_records records;
+} rs_buffers;
+
+static void place_buffers(const rs_plan *plan, const rs_frame *frame,
+                          const roomseg_config *config, void *arena, rs_buffers *b)
+{
+    uint8_t *base = arena;
+
+    /* All offsets are multiples of 8 and the arena is aligned to 8. */
+#define AT(name) ((void *)(base + plan->offset[RS_BUFFER_##name]))
+    b->surface = AT(surface);
+    b->components.runs = AT(runs);
+    b->components.components = AT(components);
+    b->components.active = AT(active);
+    b->components.vacant = AT(vacant);
+    b->components.stack = AT(stack);
+    b->envelope = AT(envelope);
+    b->queue_lists = AT(queue_lists);
+    b->queue_blocks = AT(queue_blocks);
+    b->queue_block_count = (uint32_t)ROOMSEG_PLAN_QUEUE_BLOCKS(frame->width, frame->height);
+    b->graph.regions = AT(regions);
+    b->graph.edges = AT(edges);
+    b->graph.region_count = 0;
+    b->graph.edge_count = 0;
+    b->max_edges = (uint32_t)ROOMSEG_PLAN_EDGES(config->max_regions);
+    b->slots = AT(slots);
+    b->heap = AT(heap);
+    b->records.rooms = AT(rooms);
+    b->records.sums = AT(room_sums);
+    b->records.doorways = AT(doorways);
+    b->records.links = AT(links);
+    b->records.max_rooms = config->max_rooms;
+    b->records.room_count = 0;
+    b->records.doorway_count = 0;
+#undef AT
+}
+
+/* The config's physical sizes in cells. */
+static rs_component_limits component_limits(const roomseg_config *config, uint32_t resolution_mm)
+{
+    uint32_t cell_mm2 = resolution_mm * resolution_mm;
+    rs_component_limits limits;
+
+    limits.speck_cells = (config->speck_mm2 + cell_mm2 - 1u) / cell_mm2;
+    limits.clutter_cells = config->clutter_mm / resolution_mm;
+    return limits;
+}
+
+static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm,
+                                  const rs_graph *graph)
+{
+    uint32_t cell_mm2 = resolution_mm * resolution_mm;
+    uint32_t total = 0;
+    rs_merge_rules rules;
+
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        total += graph->regions[r].area;
+    }
+    rules.smallest_cells = config->smallest_room_mm2 / cell_mm2 +
+                           (config->smallest_room_mm2 % cell_mm2 != 0u);
+    rules.isolated_cells = rs_max_u32(rules.smallest_cells,
+                                      total / 1000u * config->isolated_permille);
+    rules.room_opening_percent = config->room_opening_percent;
+    rules.passage_opening_percent = config->passage_opening_percent;
+    rules.passage_min_neighbours = config->passage_min_neighbours;
+    return rules;
+}
+
+/* Stages behind the crop, on placed buffers. */
+static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
+                      const rs_frame *frame, const rs_labels *labels, rs_buffers *b,
+                      rs_ticker *ticker)
+{
+    uint32_t mm = grid->resolution_mm;
+    rs_merge_rules rules;
+    rs_queue queue;
+    int status;
+
+    status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);
+    STAGE(COMPONENTS, rs_components_clear_small(frame, component_limits(config, mm), b->surface,
+                                                &b->components, ticker));
+    STAGE(SURFACE, rs_distance_run(frame, b->surface, b->envelope, ticker));
+    if (status == ROOMSEG_OK) {
+        rs_queue_init(&queue, b->queue_lists, b->queue_blocks, b->queue_block_count);
+    }
+    STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
+                                      &b->graph.region_count, &queue, ticker));
+    STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
+                                b->max_edges, b->slots, ticker));
+    if (status == ROOMSEG_OK) {
+        rules = merge_rules(config, mm, &b->graph);
+    }
+    STAGE(MERGE, rs_merge_run(&rules, &b->graph, b->heap, ticker));
+    STAGE(ROOMS, rs_rooms_number(&b->graph, &b->records, b->heap));
+    if (status == ROOMSEG_OK) {
+        status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,
+                                ticker);
+    }
+    if (status == ROOMSEG_OK) {
+        status = rs_rooms_connect(frame, mm, &b->graph, &b->records, b->heap);
+    }
+    return status;
+}
+
+static void fill_result(const rs_buffers *b, roomseg_result *result)
+{
+    result->rooms = b->records.rooms;
+    result->doorways = b->records.doorways;
+    result->links = b->records.links;
+    result->room_count = b->records.room_count;
+    result->doorway_count = b->records.doorway_count;
+    result->region_count = b->graph.region_count;
+}
+
+static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+               const rs_plan *plan, const rs_labels *labels, roomseg_result *result, void *arena,
+               rs_ticker *ticker)
+{
+    rs_buffers buffers;
+    int status;
+
+    place_buffers(plan, frame, config, arena, &buffers);
+    status = run_stages(config, grid, frame, labels, &buffers, ticker);
+    fill_result(&buffers, result);
+    return status;
+}
+
+const roomseg_profile roomseg_profile_default = {rs_plan_default, run};

@@ -19,6 +19,7 @@ typedef struct numeric_field {
 
 static const numeric_field numeric_fields[] = {
     FIELD(free_max),
+    FIELD(occupied_min),
     FIELD(speck_mm2),
     FIELD(clutter_mm),
     FIELD(smallest_room_mm2),

@@ -10,6 +10,10 @@ static void print_number(FILE *out, const char *name, double value) {
 }
 
 void bench_json_print_metrics(FILE *out, const metrics *m) {
+    if (m->rooms_true == 0) {
+        fputs("null", out);
+        return;
+    }
     fputc('{', out);
     for (size_t i = 0; i < METRIC_COUNT; i++) {
         print_number(out, metric_fields[i].name, metrics_get(m, i));

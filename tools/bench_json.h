@@ -6,7 +6,8 @@
 
 #include "bench_result.h"
 
-/* One object: every figure of metric_fields and the three counts of rooms. */
+/* One object: every figure of metric_fields and the three counts of rooms; null
+ * where the truth has no room (its specks left out). */
 void bench_json_print_metrics(FILE *out, const metrics *m);
 
 /* One array with an object per set:

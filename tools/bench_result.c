@@ -36,7 +36,7 @@ int result_value(const map_result *map, size_t column, int without_specks, doubl
     if (column > RESULT_ROOMS_TRUE) {
         return cost_value(map, column, value);
     }
-    if (!map->has_score) {
+    if (!map->has_score || m->rooms_true == 0) {
         return 0;
     }
     if (column < METRIC_COUNT) {

@@ -52,6 +52,17 @@ typedef struct request {
     int json, help;
 } request;
 
+/* Says before the first map what the library would say to each. */
+static int check_config(const roomseg_config *config, tool_error *error) {
+    size_t bytes;
+    int status = roomseg_arena_size(config, 1, 1, ROOMSEG_MIN_RESOLUTION_MM, &bytes);
+    if (status != ROOMSEG_OK) {
+        tool_error_set(error, "option --config: %s", roomseg_status_text(status));
+        return -1;
+    }
+    return 0;
+}
+
 static int read_values(const char *profile, const char *repetitions, const char *resolution,
                        request *out, tool_error *error) {
     long count = DEFAULT_REPETITIONS;
@@ -70,7 +81,7 @@ static int read_values(const char *profile, const char *repetitions, const char 
         return -1;
     }
     out->settings.repetitions = (int)count;
-    return 0;
+    return check_config(&out->settings.config, error);
 }
 
 static int read_request(int argc, char **argv, request *out, tool_error *error) {

@@ -81,19 +81,31 @@ static int score_files(const eval_options *o, const char *labels_path, const cha
     return rc;
 }
 
+static void print_share(const metrics *m, size_t index) {
+    if (m->rooms_true > 0) {
+        printf("%18.2f %%", metrics_get(m, index) * 100.0);
+    } else {
+        printf("%20s", "-");
+    }
+}
+
 static void print_score(const score *s) {
     const metrics *a = &s->all;
     const metrics *b = &s->without_specks;
-    printf("%-24s%12s%22s %u cells\n", "", "all rooms", "true rooms of at least",
-           TRUTH_SPECK_CELLS);
+    char title[32];
+    snprintf(title, sizeof title, "from %u cells on", TRUTH_SPECK_CELLS);
+    printf("%-20s%20s%20s\n", "rooms of the truth:", "all", title);
     for (size_t i = 0; i < METRIC_COUNT; i++) {
-        printf("%-24s%10.2f %%%20.2f %%\n", metric_fields[i].title, metrics_get(a, i) * 100.0,
-               metrics_get(b, i) * 100.0);
+        printf("%-20s", metric_fields[i].title);
+        print_share(a, i);
+        print_share(b, i);
+        fputc('\n', stdout);
     }
-    printf("%-24s%10" PRIu32 "%22" PRIu32 "\n", "rooms found", a->rooms_found, b->rooms_found);
-    printf("%-24s%10" PRIu32 "%22" PRIu32 "\n", "rooms in the truth", a->rooms_true,
+    printf("%-20s%18" PRIu32 "%20" PRIu32 "\n", "rooms found", a->rooms_found,
+           b->rooms_found);
+    printf("%-20s%18" PRIu32 "%20" PRIu32 "\n", "rooms in the truth", a->rooms_true,
            b->rooms_true);
-    printf("%-24s%10" PRIu32 "%22" PRIu32 "\n", "matches (IoU > 0.5)", a->rooms_matched,
+    printf("%-20s%18" PRIu32 "%20" PRIu32 "\n", "matches, IoU > 0.5", a->rooms_matched,
            b->rooms_matched);
 }
 

@@ -1,12 +1,14 @@
 #include "metrics.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "expected_mi.h"
 #include "partition.h"
+
+/* Relative error that sums over a map may gather; their true size is far above. */
+static const double ROUNDING = 1e-12;
 
 /* Place of a figure in the record; its name in JSON is that of the member. */
 #define FIELD(member, title) {#member, title, offsetof(metrics, member)}
@@ -68,6 +70,7 @@ static information measure_information(const partition *p) {
                         entropy(p->rows, p->row_count, p->total),
                         entropy(p->columns, p->column_count, p->total),
                         1.0, 1.0, 0.0};
+    info.mutual = fmin(info.mutual, fmin(info.rows, info.columns)); /* but for rounding */
     if (info.rows > 0.0) {
         info.homogeneity = info.mutual / info.rows;
     }
@@ -100,10 +103,11 @@ static int adjusted_mutual_information(const partition *p, const information *in
     double expected = expected_mutual_information(
         sizes, p->row_count, sizes + p->row_count, p->column_count, p->total);
     free(sizes);
-    /* Each cell a part of its own on both sides: nothing is left to chance, 0 / 0. */
-    double above_chance = info->mutual - expected;
-    double most = (info->rows + info->columns) / 2.0 - expected;
-    *out = fabs(most) < DBL_EPSILON ? 1.0 : above_chance / most;
+    /* Where every cell is a part of its own on both sides, nothing is left to chance and
+     * this is 0 / 0 but for rounding. */
+    double mean = (info->rows + info->columns) / 2.0;
+    double most = mean - expected;
+    *out = most > ROUNDING * mean ? (info->mutual - expected) / most : 1.0;
     return 0;
 }
 

@@ -26,12 +26,13 @@ typedef struct metrics {
     double homogeneity;    /* MI / Ht; 1 when Ht = 0 */
     double v;              /* 2 H C / (H + C); 0 when H + C = 0 */
     double ami;            /* (MI - E) / ((Ht + Hl)/2 - E), E = the mean MI over all ways to
-                              deal out the cells with the same a(i) and b(j) */
+                              deal out the cells with the same a(i) and b(j). With one
+                              room or one label alone: 1 when both are alone, else 0 */
     double nmi;            /* MI / ((Ht + Hl)/2); 1 when both entropies are 0 */
     double ari;            /* 2 (tp tn - fn fp) / ((tp+fn)(fn+tn) + (tp+fp)(fp+tn)), counted
                               over pairs of cells: tp = same room and same label, fn = same
                               room only, fp = same label only, tn = neither */
-    double fmi;            /* tp / sqrt((tp + fp) (tp + fn)) */
+    double fmi;            /* tp / sqrt((tp + fp) (tp + fn)); 0 when tp = 0 */
     double iou;            /* mean over rooms i of n(i,m) / (a(i) + b(m) - n(i,m)), where m is
                               the label with the largest n(i,m), the lowest one if several */
 

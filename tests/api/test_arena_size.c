@@ -89,13 +89,18 @@ static void test_size_config(void)
     config_each_extreme(extreme_for_size);
 }
 
-/* More than max_regions rooms are refused, whatever max_regions is. */
+/* max_rooms has two upper ends. */
 static void test_size_more_rooms_than_regions(void)
 {
     config.max_regions = 7;
     config.max_rooms = 7;
     expect_size(ROOMSEG_OK, 10, 10, 50);
     config.max_rooms = 8;
+    expect_size(ROOMSEG_ERR_CONFIG, 10, 10, 50);
+    config.max_regions = ROOMSEG_MAX_REGIONS;
+    config.max_rooms = ROOMSEG_MAX_ROOMS;
+    expect_size(ROOMSEG_OK, 10, 10, 50);
+    config.max_rooms = ROOMSEG_MAX_ROOMS + 1;
     expect_size(ROOMSEG_ERR_CONFIG, 10, 10, 50);
 }
 

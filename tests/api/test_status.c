@@ -57,6 +57,7 @@ static void test_the_default_config_is_the_documented_one(void)
 {
     roomseg_config config = roomseg_config_default();
     TEST_ASSERT_EQUAL_UINT(51, config.free_max);
+    TEST_ASSERT_EQUAL_UINT(204, config.occupied_min);
     TEST_ASSERT_EQUAL_UINT(96000, config.speck_mm2);
     TEST_ASSERT_EQUAL_UINT(640, config.clutter_mm);
     TEST_ASSERT_EQUAL_UINT(1000000, config.smallest_room_mm2);

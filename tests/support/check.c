@@ -5,7 +5,7 @@
 #include "reference.h"
 #include "unity.h"
 
-static void check_crop(const run *r, const uint8_t *kinds)
+static void check_crop(const run *r)
 {
     uint32_t min_x = UINT32_MAX;
     uint32_t min_y = UINT32_MAX;
@@ -13,7 +13,7 @@ static void check_crop(const run *r, const uint8_t *kinds)
     uint32_t end_y = 0;
     for (uint32_t y = 0; y < r->grid.height; y++) {
         for (uint32_t x = 0; x < r->grid.width; x++) {
-            if (kinds[(size_t)y * r->grid.width + x] == CELL_FREE) {
+            if (r->grid.cells[(size_t)y * r->grid.stride + x] <= r->config.free_max) {
                 min_x = x < min_x ? x : min_x;
                 min_y = y < min_y ? y : min_y;
                 end_x = x + 1 > end_x ? x + 1 : end_x;
@@ -33,7 +33,7 @@ static void check_crop(const run *r, const uint8_t *kinds)
 void check_everything(const run *r)
 {
     uint8_t *kinds = reference_kinds(&r->config, &r->grid);
-    check_crop(r, kinds);
+    check_crop(r);
     check_labels(r, kinds);
     check_rooms(r, kinds);
     check_doorways(r, kinds);

@@ -5,9 +5,9 @@
 
 #include "run.h"
 
-/* Labels: none on a cell that is not free, none above room_count, none missing; a free cell
- * without one lies in a connected area that has none at all and is small enough to be dropped;
- * each room is 4-connected, transparent obstacles counting as bridges. */
+/* Labels: none on an obstacle but uncertain noise and clutter, none above room_count, none
+ * missing; another cell without one lies in a connected area that has none at all and is small
+ * enough to be dropped; each room is 4-connected, noise and clutter counting as bridges. */
 void check_labels(const run *r, const uint8_t *kinds);
 
 /* Room records against the labels: order, area, centroid, bounding box, interior point. */

@@ -30,7 +30,7 @@ static size_t walk_from(const walk *w, size_t start, uint16_t label, uint32_t nu
         const size_t next[4] = {at - 1, at + 1, at - width, at + width};
         for (int i = 0; i < 4; i++) {
             if (!exists[i] || w->seen[next[i]] == number || w->kinds[next[i]] == CELL_WALL ||
-                (label != 0 && w->kinds[next[i]] == CELL_FREE &&
+                (label != 0 && w->kinds[next[i]] == CELL_OPEN &&
                  w->r->labels[next[i]] != label)) {
                 continue;
             }
@@ -45,8 +45,8 @@ static void check_each_cell(const run *r, const uint8_t *kinds)
 {
     size_t cells = (size_t)r->grid.width * r->grid.height;
     for (size_t i = 0; i < cells; i++) {
-        if (kinds[i] != CELL_FREE && r->labels[i] != 0) {
-            fail_with("cell %u, %u is no free cell and carries label %u",
+        if (kinds[i] != CELL_OPEN && r->labels[i] != 0) {
+            fail_with("the obstacle at %u, %u carries label %u",
                       (unsigned)(i % r->grid.width), (unsigned)(i / r->grid.width),
                       r->labels[i]);
         }
@@ -101,16 +101,16 @@ static void check_dropped(const walk *w)
             continue;
         }
         size_t count = walk_from(w, i, 0, number);
-        uint64_t free_cells = 0;
+        uint64_t may_carry = 0;
         uint64_t labelled = 0;
         for (size_t k = 0; k < count; k++) {
-            free_cells += w->kinds[w->list[k]] == CELL_FREE;
+            may_carry += w->kinds[w->list[k]] == CELL_OPEN;
             labelled += w->r->labels[w->list[k]] != 0;
         }
-        if (labelled != free_cells && (labelled != 0 || free_cells * cell_mm2 >= limit_mm2)) {
-            fail_with("around %u, %u only %u of %u free cells carry a label",
+        if (labelled != may_carry && (labelled != 0 || may_carry * cell_mm2 >= limit_mm2)) {
+            fail_with("around %u, %u only %u of %u cells carry a label",
                       (unsigned)(i % r->grid.width), (unsigned)(i / r->grid.width),
-                      (unsigned)labelled, (unsigned)free_cells);
+                      (unsigned)labelled, (unsigned)may_carry);
         }
     }
 }

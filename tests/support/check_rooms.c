@@ -52,21 +52,22 @@ static void check_record(const run *r, const roomseg_room *room, const tally *t)
                                    "the interior point is no cell of its room");
 }
 
-/* Holds the radius against the true distance to the wall, to half a cell and rounding to whole
- * millimetres; the distance map saturates at 255 cells. */
+/* Holds the radius, which ends at the wall's face, against the true distance between the cells'
+ * centres, to a cell's length; the distances behind it are whole cells and end at 255. */
 static void check_radius(const run *r, const uint8_t *kinds, const roomseg_room *room)
 {
     uint64_t distance2 = reference_wall_distance2(kinds, r->grid.width, r->grid.height,
                                                   room->interior_x, room->interior_y);
     uint64_t resolution = r->grid.resolution_mm;
     uint64_t true2 = distance2 * resolution * resolution;
-    uint64_t radius = room->inscribed_radius_mm;
-    uint64_t slack = resolution / 2 + 1;
-    bool saturated = radius >= 65535u || radius >= 255u * resolution;
-    uint64_t low = radius > slack ? radius - slack : 0;
-    if (low * low > true2 || (!saturated && (radius + slack) * (radius + slack) < true2)) {
-        fail_with("room %u: radius %u mm, but the wall is sqrt(%llu) mm away", room->label,
-                  (unsigned)radius, (unsigned long long)true2);
+    uint64_t to_centre = room->inscribed_radius_mm + resolution / 2;
+    uint64_t slack = resolution + 1;
+    uint64_t low = to_centre > slack ? to_centre - slack : 0;
+    uint64_t high = to_centre + slack;
+    bool saturated = room->inscribed_radius_mm == UINT16_MAX || high > 255u * resolution;
+    if (low * low > true2 || (!saturated && high * high < true2)) {
+        fail_with("room %u: radius %u mm, but the wall's centre is sqrt(%llu) mm away",
+                  room->label, (unsigned)room->inscribed_radius_mm, (unsigned long long)true2);
     }
 }
 

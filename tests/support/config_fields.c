@@ -7,14 +7,15 @@
     {#name, offsetof(roomseg_config, name), sizeof(((roomseg_config *)0)->name), low, high}
 
 const config_field config_fields[] = {
-    FIELD(free_max, 0, 254),
+    FIELD(free_max, 0, 203),     /* below occupied_min, which is 204 by default */
+    FIELD(occupied_min, 52, 255), /* above free_max, 51 */
     FIELD(speck_mm2, 0, ROOMSEG_MAX_SPECK_MM2),
-    FIELD(clutter_mm, 0, 2000),
-    FIELD(smallest_room_mm2, 0, 4000000000u),
+    FIELD(clutter_mm, 0, ROOMSEG_MAX_CLUTTER_MM),
+    FIELD(smallest_room_mm2, 0, ROOMSEG_MAX_SMALLEST_ROOM_MM2),
     FIELD(isolated_permille, 0, 1000),
     FIELD(room_opening_percent, 1, 100),
     FIELD(passage_opening_percent, 1, 100),
-    FIELD(passage_min_neighbours, 2, 255),
+    FIELD(passage_min_neighbours, 2, 8),
     FIELD(max_regions, 1, ROOMSEG_MAX_REGIONS),
     FIELD(max_rooms, 1, 1024), /* at most max_regions, which is 1024 by default */
 };
@@ -49,8 +50,10 @@ void config_each_invalid(void (*visit)(const roomseg_config *config, const char 
         if (field->low > 0) {
             visit_with(visit, field, field->low - 1);
         }
-        visit_with(visit, field, field->high + 1);
-        visit_with(visit, field, field->size == 1 ? UINT8_MAX : UINT32_MAX);
+        if (field->size > 1 || field->high < UINT8_MAX) {
+            visit_with(visit, field, field->high + 1);
+            visit_with(visit, field, field->size == 1 ? UINT8_MAX : UINT32_MAX);
+        }
     }
 }
 

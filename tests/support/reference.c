@@ -15,7 +15,7 @@ static box bounds_of_free(const uint8_t *kinds, uint32_t width, uint32_t height)
     box b = {width, height, 0, 0};
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < width; x++) {
-            if (kinds[(size_t)y * width + x] == CELL_FREE) {
+            if (kinds[(size_t)y * width + x] == CELL_OPEN) {
                 b.min_x = x < b.min_x ? x : b.min_x;
                 b.max_x = x > b.max_x ? x : b.max_x;
                 b.min_y = y < b.min_y ? y : b.min_y;
@@ -70,6 +70,15 @@ static bool is_small(const roomseg_config *config, uint32_t resolution_mm, size_
     return area_mm2 < config->speck_mm2 || length_mm <= config->clutter_mm;
 }
 
+/* What a cell of an obstacle that is noise or clutter becomes. */
+static uint8_t kind_of_small(const roomseg_config *config, const roomseg_grid *grid, size_t cell)
+{
+    size_t x = cell % grid->width;
+    size_t y = cell / grid->width;
+    bool certain = grid->cells[y * grid->stride + x] >= config->occupied_min;
+    return certain ? CELL_BRIDGE : CELL_OPEN;
+}
+
 uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid)
 {
     uint32_t width = grid->width;
@@ -81,7 +90,7 @@ uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid)
     for (uint32_t y = 0; y < grid->height; y++) {
         for (uint32_t x = 0; x < width; x++) {
             uint8_t value = grid->cells[(size_t)y * grid->stride + x];
-            kinds[(size_t)y * width + x] = value <= config->free_max ? CELL_FREE : CELL_WALL;
+            kinds[(size_t)y * width + x] = value <= config->free_max ? CELL_OPEN : CELL_WALL;
         }
     }
     box crop = bounds_of_free(kinds, width, grid->height);
@@ -94,7 +103,7 @@ uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid)
                 gather(kinds, width, &crop, start, seen, list, &count, &bounds) &&
                 is_small(config, grid->resolution_mm, count, &bounds)) {
                 for (size_t i = 0; i < count; i++) {
-                    kinds[list[i]] = CELL_TRANSPARENT;
+                    kinds[list[i]] = kind_of_small(config, grid, list[i]);
                 }
             }
         }

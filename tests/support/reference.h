@@ -5,9 +5,10 @@
 #include "roomseg/roomseg.h"
 
 enum {
-    CELL_WALL = 0,        /* obstacle or unknown; the whole outside of the crop too */
-    CELL_FREE = 1,        /* value at most free_max */
-    CELL_TRANSPARENT = 2, /* obstacle that is noise or clutter by the config */
+    CELL_WALL = 0,   /* obstacle or unknown; the whole outside of the crop too */
+    CELL_OPEN = 1,   /* free, or noise or clutter that is not certainly occupied: may carry a
+                        label */
+    CELL_BRIDGE = 2, /* certain obstacle that is noise or clutter: shapes no room, has no label */
 };
 
 /* Kind of each cell: width * height bytes, to be freed. */

@@ -155,11 +155,18 @@ static int take_value(parser *p, char *text) {
     return take_scalar(p, text);
 }
 
+/* The colon behind a key: one with a blank or nothing behind it. NULL when there is none. */
+static char *key_end(char *text) {
+    for (char *at = strchr(text, ':'); at != NULL; at = strchr(at + 1, ':')) {
+        if (at[1] == '\0' || at[1] == ' ' || at[1] == '\t') {
+            return at;
+        }
+    }
+    return NULL;
+}
+
 static int take_key(parser *p, char *text) {
-    char *colon = text;
-    do {
-        colon = strchr(colon + (colon != text), ':');
-    } while (colon != NULL && colon[1] != '\0' && colon[1] != ' ' && colon[1] != '\t');
+    char *colon = key_end(text);
     if (colon == NULL || colon == text) {
         return fail(p, "neither 'key: value' nor a list item");
     }
@@ -228,7 +235,11 @@ int yaml_parse(char *text, const char *name, yaml *out, tool_error *error) {
         }
         text = next;
     }
-    return p.list_open ? fail(&p, "a list stays open") : 0;
+    if (p.list_open) {
+        p.line = p.entry->line;
+        return fail(&p, "a list stays open");
+    }
+    return 0;
 }
 
 const yaml_entry *yaml_find(const yaml *doc, const char *key) {

@@ -27,18 +27,15 @@ static const char help[] =
     "                        says, else 0.04\n"
     "  --profile NAME        set of parameters; there is one, default\n"
     "  --free-below N        cells up to this occupancy are free, 0 to 254; default 51\n"
-    "  --occupied-above N    cells above this are drawn as obstacles, 0 to 255, not below\n"
-    "                        --free-below; default 165\n"
+    "  --occupied-above N    cells above this are obstacles for sure and never belong to a\n"
+    "                        room, 0 to 254, not below --free-below; default 203\n"
     "  --invert              the image is white where the floor is free (not for YAML)\n";
-
-#define DEFAULT_OCCUPIED_ABOVE 165
 
 typedef struct request {
     const char *map_path;
     const char *folder;
     map_options options;
     roomseg_config config;
-    long occupied_above;
     int help;
 } request;
 
@@ -46,6 +43,7 @@ typedef struct request {
 static int read_values(const char *resolution, const char *profile, const char *free_below,
                        const char *occupied_above, request *out, tool_error *error) {
     long free_max = out->config.free_max;
+    long highest_unsure = out->config.occupied_min - 1;
     if (profile != NULL && strcmp(profile, "default") != 0) {
         tool_error_set(error, "unknown profile '%s'; there is one, default", profile);
         return -1;
@@ -60,16 +58,16 @@ static int read_values(const char *resolution, const char *profile, const char *
         return -1;
     }
     if (occupied_above != NULL &&
-        args_integer("--occupied-above", occupied_above, 0, 255, &out->occupied_above, error) !=
-            0) {
+        args_integer("--occupied-above", occupied_above, 0, 254, &highest_unsure, error) != 0) {
         return -1;
     }
-    if (out->occupied_above < free_max) {
-        tool_error_set(error, "--occupied-above %ld is below --free-below %ld",
-                       out->occupied_above, free_max);
+    if (highest_unsure < free_max) {
+        tool_error_set(error, "--occupied-above %ld is below --free-below %ld", highest_unsure,
+                       free_max);
         return -1;
     }
     out->config.free_max = (uint8_t)free_max;
+    out->config.occupied_min = (uint8_t)(highest_unsure + 1);
     return 0;
 }
 
@@ -81,7 +79,6 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
     int operand_count;
     memset(out, 0, sizeof *out);
     out->config = roomseg_config_default();
-    out->occupied_above = DEFAULT_OCCUPIED_ABOVE;
     const arg_option options[] = {
         {"--output", "-o", &out->folder, NULL},
         {"--resolution", NULL, &resolution, NULL},
@@ -117,8 +114,7 @@ static int write_one(int which, const request *q, const map *m, const segmentati
         report_json(m, s, q->map_path, file->stream);
         break;
     default:
-        if (rooms_png_write(m, s, (uint8_t)q->occupied_above, file->stream, file->path, error) !=
-            0) {
+        if (rooms_png_write(m, s, file->stream, file->path, error) != 0) {
             return -1;
         }
     }

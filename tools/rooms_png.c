@@ -44,7 +44,7 @@ static int touches_room(const view *v, int x, int y) {
     return 0;
 }
 
-static int what_is_at(const view *v, int x, int y, uint8_t occupied_above) {
+static int what_is_at(const view *v, int x, int y) {
     if (x < 0 || y < 0 || x >= (int)v->m->width || y >= (int)v->m->height) {
         return SHOW_UNKNOWN;
     }
@@ -53,7 +53,7 @@ static int what_is_at(const view *v, int x, int y, uint8_t occupied_above) {
     if (label != 0) {
         return SHOW_ROOM + label;
     }
-    if (cell > occupied_above) {
+    if (cell >= v->s->config.occupied_min) {
         return SHOW_OBSTACLE;
     }
     if (cell <= v->s->config.free_max) {
@@ -77,14 +77,12 @@ static color color_of(int shown, const uint8_t *color_index) {
     }
 }
 
-static void draw_cells(canvas *c, const view *v, const uint8_t *color_index,
-                       uint8_t occupied_above) {
+static void draw_cells(canvas *c, const view *v, const uint8_t *color_index) {
     for (int y = 0; y < v->height_cells; y += v->shrink) {
         for (int x = 0; x < v->width_cells; x += v->shrink) {
             int shown = SHOW_UNKNOWN;
             for (int i = 0; i < v->shrink * v->shrink; i++) {
-                int one = what_is_at(v, v->x + x + i % v->shrink, v->y + y + i / v->shrink,
-                                     occupied_above);
+                int one = what_is_at(v, v->x + x + i % v->shrink, v->y + y + i / v->shrink);
                 shown = one > shown ? one : shown;
             }
             draw_rectangle(c, x / v->shrink * v->scale, y / v->shrink * v->scale, v->scale,
@@ -168,7 +166,7 @@ static void draw_scale_bar(canvas *c, const view *v) {
     }
 }
 
-int rooms_png_write(const map *m, const segmentation *s, uint8_t occupied_above, FILE *stream,
+int rooms_png_write(const map *m, const segmentation *s, FILE *stream,
                     const char *name, tool_error *error) {
     view v = view_of_rooms(m, s);
     canvas c = {NULL, 0, 0};
@@ -177,7 +175,7 @@ int rooms_png_write(const map *m, const segmentation *s, uint8_t occupied_above,
     int rc = -1;
     if (color_index != NULL && room_colors_choose(&s->result, color_index) == 0 &&
         canvas_create(&c, (uint32_t)v.width_px, height, unknown_color) == 0) {
-        draw_cells(&c, &v, color_index, occupied_above);
+        draw_cells(&c, &v, color_index);
         for (uint32_t i = 0; i < s->result.doorway_count; i++) {
             draw_door(&c, &v, &s->result.doorways[i]);
         }

@@ -2,22 +2,20 @@
 #ifndef ROOMSEG_TOOLS_ROOMS_PNG_H
 #define ROOMSEG_TOOLS_ROOMS_PNG_H
 
-#include <stdint.h>
 #include <stdio.h>
 
 #include "map.h"
 #include "segment.h"
 #include "tool_error.h"
 
-/* Draws the part of the map that holds the rooms: rooms in pastel, obstacles dark, unknown
- * cells gray, free cells without a room white; doorways as strokes from wall to wall; number
+/* Draws the part of the map that holds the rooms: rooms in pastel, certain obstacles dark,
+ * other obstacles and unknown cells gray, free cells without a room white; doorways as strokes from wall to wall; number
  * and area at each room's interior point; a scale bar.
  * A cell takes a whole number of pixels so that the long side has 800 to 1600; maps above
  * 4000 cells are shrunk by a whole number.
- * occupied_above: cells above this value are drawn as obstacles, 0..255.
  * Returns 0, or -1 with *error set when memory runs out; what the stream could not take
  * shows in its error flag. */
-int rooms_png_write(const map *m, const segmentation *s, uint8_t occupied_above, FILE *stream,
-                    const char *name, tool_error *error);
+int rooms_png_write(const map *m, const segmentation *s, FILE *stream, const char *name,
+                    tool_error *error);
 
 #endif

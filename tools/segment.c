@@ -12,12 +12,13 @@ roomseg_grid segment_grid(const map *m) {
 
 /* Doubles the capacity that the status complains about; 0 when it can grow no more. */
 static int grow(roomseg_config *config, int status) {
-    uint32_t *capacity =
-        status == ROOMSEG_ERR_REGIONS ? &config->max_regions : &config->max_rooms;
-    if (*capacity >= ROOMSEG_MAX_REGIONS) {
+    int regions = status == ROOMSEG_ERR_REGIONS;
+    uint32_t *capacity = regions ? &config->max_regions : &config->max_rooms;
+    uint32_t limit = regions ? ROOMSEG_MAX_REGIONS : ROOMSEG_MAX_ROOMS;
+    if (*capacity >= limit) {
         return 0;
     }
-    *capacity = *capacity > ROOMSEG_MAX_REGIONS / 2 ? ROOMSEG_MAX_REGIONS : *capacity * 2;
+    *capacity = *capacity > limit / 2 ? limit : *capacity * 2;
     if (config->max_regions < config->max_rooms) {
         config->max_regions = config->max_rooms;
     }

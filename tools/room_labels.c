@@ -20,7 +20,7 @@ static const color halo = {255, 255, 255};
 
 double room_text_height(const view *v) {
     double long_side = v->width_px > v->height_px ? v->width_px : v->height_px;
-    double height = long_side / 64;
+    double height = long_side / 60;
     return height < 13 ? 13 : height > 40 ? 40 : height;
 }
 

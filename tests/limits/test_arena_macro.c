@@ -1,0 +1,131 @@
+/* ROOMSEG_ARENA_SIZE at compile time, roomseg_arena_size at run time and what a run uses are
+ * the same number. */
+#include <string.h>
+
+#include "config_fields.h"
+#include "run.h"
+#include "sketch.h"
+#include "unity.h"
+
+/* Integer constant expressions: file-scope arrays would not compile otherwise. */
+static uint8_t small_arena[ROOMSEG_ARENA_SIZE_DEFAULT(120, 90, 50)];
+static uint8_t tight_arena[ROOMSEG_ARENA_SIZE(62, 62, ROOMSEG_PLAN_SMALL(0, 0, 50), 8, 4)];
+
+static roomseg_config config;
+
+void setUp(void)
+{
+    config = roomseg_config_default();
+}
+
+void tearDown(void)
+{
+}
+
+static void expect_equal(uint32_t width, uint32_t height, uint32_t resolution_mm)
+{
+    size_t small = ROOMSEG_PLAN_SMALL(config.speck_mm2, config.clutter_mm, resolution_mm);
+    size_t macro = ROOMSEG_ARENA_SIZE(width, height, small, config.max_regions, config.max_rooms);
+    size_t query = 0;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
+                          roomseg_arena_size(&config, width, height, resolution_mm, &query));
+    TEST_ASSERT_EQUAL_size_t(query, macro);
+    TEST_ASSERT_EQUAL_size_t(0, macro % ROOMSEG_ARENA_ALIGN);
+}
+
+static void test_constant_expressions(void)
+{
+    size_t query;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, 120, 90, 50, &query));
+    TEST_ASSERT_EQUAL_size_t(query, sizeof small_arena);
+    config.speck_mm2 = 0;
+    config.clutter_mm = 0;
+    config.max_regions = 8;
+    config.max_rooms = 4;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, 62, 62, 50, &query));
+    TEST_ASSERT_EQUAL_size_t(query, sizeof tight_arena);
+}
+
+static void test_widths_and_heights(void)
+{
+    const uint32_t sides[] = {1,   2,   3,    4,    5,    7,    8,     31,
+                              64,  100, 255,  256,  500,  1001, 2000,  4096,
+                              4097, 10007, 16384, 65534, 65535};
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        for (size_t k = 0; k < sizeof sides / sizeof *sides; k++) {
+            if ((uint64_t)sides[i] * sides[k] <= ROOMSEG_MAX_CROP_CELLS) {
+                expect_equal(sides[i], sides[k], 50);
+            }
+        }
+    }
+}
+
+static void test_resolutions(void)
+{
+    for (uint32_t mm = ROOMSEG_MIN_RESOLUTION_MM; mm <= ROOMSEG_MAX_RESOLUTION_MM; mm++) {
+        expect_equal(300, 200, mm);
+        expect_equal(10, 10, mm);
+    }
+}
+
+static void test_default_macro(void)
+{
+    for (uint32_t side = 1; side <= 4096; side = side * 3 + 1) {
+        size_t query;
+        TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, side, side, 40, &query));
+        TEST_ASSERT_EQUAL_size_t(query, ROOMSEG_ARENA_SIZE_DEFAULT(side, side, 40));
+    }
+}
+
+static void one_config(const roomseg_config *extreme, const char *field)
+{
+    (void)field;
+    config = *extreme;
+    expect_equal(1, 1, 20);
+    expect_equal(300, 200, 50);
+    expect_equal(4096, 4096, 200);
+}
+
+static void test_each_field_at_its_ends(void)
+{
+    config_each_extreme(one_config);
+}
+
+static void test_capacities(void)
+{
+    for (uint32_t regions = 1; regions <= 4096; regions = regions * 2 + 1) {
+        for (uint32_t rooms = 1; rooms <= regions; rooms = rooms * 3 + 1) {
+            config.max_regions = regions;
+            config.max_rooms = rooms;
+            expect_equal(37, 900, 50);
+            expect_equal(3, 5, 100);
+        }
+    }
+}
+
+/* A run needs what the macro says for its crop. */
+static void test_a_run_uses_that_much(void)
+{
+    for (uint32_t rooms = 1; rooms <= 5; rooms++) {
+        sketch s = sketch_rooms(rooms, 2, 33, 8, 100);
+        run r = run_unchecked(&config, &s.grid);
+        TEST_ASSERT_EQUAL_size_t(
+            ROOMSEG_ARENA_SIZE_DEFAULT(s.grid.width - 2, s.grid.height - 2, 100),
+            r.result.arena_used);
+        run_free(&r);
+        sketch_free(&s);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_constant_expressions);
+    RUN_TEST(test_widths_and_heights);
+    RUN_TEST(test_resolutions);
+    RUN_TEST(test_default_macro);
+    RUN_TEST(test_each_field_at_its_ends);
+    RUN_TEST(test_capacities);
+    RUN_TEST(test_a_run_uses_that_much);
+    return UNITY_END();
+}

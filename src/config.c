@@ -12,8 +12,9 @@ roomseg_config roomseg_config_default(void)
     config.speck_mm2 = 96000;
     config.clutter_mm = 640;
     config.smallest_room_mm2 = 1000000;
+    config.niche_mm2 = 3000000;
     config.isolated_permille = 10;
-    config.room_opening_percent = 80;
+    config.room_opening_percent = 85;
     config.passage_opening_percent = 40;
     config.passage_min_neighbours = 3;
     config.max_regions = 1024;
@@ -28,6 +29,7 @@ int rs_config_check(const roomseg_config *config)
     bool good = config->profile != NULL && config->free_max < config->occupied_min && config->speck_mm2 <= ROOMSEG_MAX_SPECK_MM2 &&
                 config->clutter_mm <= ROOMSEG_MAX_CLUTTER_MM &&
                 config->smallest_room_mm2 <= ROOMSEG_MAX_SMALLEST_ROOM_MM2 &&
+                config->niche_mm2 <= ROOMSEG_MAX_SMALLEST_ROOM_MM2 &&
                 config->isolated_permille <= 1000u && config->room_opening_percent >= 1u &&
                 config->room_opening_percent <= 100u && config->passage_opening_percent >= 1u &&
                 config->passage_opening_percent <= 100u &&

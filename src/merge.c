@@ -106,8 +106,12 @@ static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t
     return false;
 }
 
-/* How open an edge is: 0 when saddle < percent/100 * sqrt(p * q), else a number that grows
- * with saddle^2 / (p * q * percent^2). Values are at most 255, so nothing overflows. */
+/* Keys of edges that the opening rules join are at least this, those of niches below. */
+#define OPENING_KEY 32768u
+
+/* How open an edge is: 0 when saddle < percent/100 * sqrt(p * q), else OPENING_KEY times
+ * saddle^2 / (p * q) * (100 / percent)^2. Saddle, p and q are at most 255, so nothing
+ * overflows. */
 static uint32_t openness(uint32_t saddle, uint32_t p, uint32_t q, uint32_t percent)
 {
     uint32_t squared = saddle * saddle;
@@ -115,31 +119,43 @@ static uint32_t openness(uint32_t saddle, uint32_t p, uint32_t q, uint32_t perce
     if (squared * 10000u < percent * percent * p * q) {
         return 0;
     }
-    return (squared << 15) / (p * q) * 10000u / (percent * percent);
+    return squared * OPENING_KEY / (p * q) * 10000u / (percent * percent);
 }
 
-/* The openness of an edge under the rules as the graph stands. With `hopeful` the
- * passage rule counts as met, which gives an upper bound without a look at neighbours. */
+/* A small region that is open to its neighbour on at least 9/10 of its own width is a
+ * niche of it: 0, or a number that grows with the opening's share of the width. */
+static uint32_t niche_key(uint32_t niche_cells, const rs_region *region, uint32_t saddle)
+{
+    bool niche = region->area < niche_cells && 10u * saddle >= 9u * region->peak;
+
+    return niche ? saddle * (OPENING_KEY / 2u) / region->peak : 0u;
+}
+
+/* The key of an edge under the rules as the graph stands; 0: the regions stay apart. With
+ * `hopeful` the passage rule counts as met, which gives an upper bound without a look at
+ * neighbours. */
 static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
 {
     const rs_edge *edge = &graph->edges[e];
     uint16_t a = rs_merge_root(graph->regions, edge->a);
     uint16_t b = rs_merge_root(graph->regions, edge->b);
-    uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
+    const rs_region *p = &graph->regions[a], *q = &graph->regions[b];
     uint32_t as_room, as_passage;
 
-    if (a == b || p == 0u || q == 0u) {
+    if (a == b || p->peak == 0u || q->peak == 0u) {
         return 0;
     }
-    as_room = openness(edge->saddle, p, q, rules->room_opening_percent);
-    as_passage = openness(edge->saddle, p, q, rules->passage_opening_percent);
-    if (as_passage <= as_room || hopeful) {
-        return rs_max_u32(as_room, as_passage);
+    as_room = openness(edge->saddle, p->peak, q->peak, rules->room_opening_percent);
+    as_passage = openness(edge->saddle, p->peak, q->peak, rules->passage_opening_percent);
+    if (as_passage > as_room &&
+        (hopeful ||
+         (is_passage(graph, a, rules->passage_min_neighbours, rules->smallest_cells) &&
+          is_passage(graph, b, rules->passage_min_neighbours, rules->smallest_cells)))) {
+        return as_passage;
     }
-    return is_passage(graph, a, rules->passage_min_neighbours, rules->smallest_cells) &&
-                   is_passage(graph, b, rules->passage_min_neighbours, rules->smallest_cells)
-               ? as_passage
-               : as_room;
+    return as_room > 0u ? as_room
+                        : rs_max_u32(niche_key(rules->niche_cells, p, edge->saddle),
+                                     niche_key(rules->niche_cells, q, edge->saddle));
 }
 
 /* One sweep over all edges, best first. Keys can only fall while a sweep goes on, but for

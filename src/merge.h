@@ -10,6 +10,7 @@
 typedef struct rs_merge_rules {
     uint32_t smallest_cells;         /* smaller regions never stand alone */
     uint32_t isolated_cells;         /* smaller regions without neighbour are dropped */
+    uint32_t niche_cells;            /* smaller regions stand alone only behind a narrowing */
     uint32_t room_opening_percent;   /* 1..100 */
     uint32_t passage_opening_percent;
     uint32_t passage_min_neighbours; /* 2..RS_MERGE_MAX_NEIGHBOURS */

@@ -72,6 +72,11 @@ static rs_component_limits component_limits(const roomseg_config *config, uint32
     return limits;
 }
 
+static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
+{
+    return area_mm2 / cell_mm2 + (area_mm2 % cell_mm2 != 0u); /* rounded up */
+}
+
 static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm,
                                   const rs_graph *graph)
 {
@@ -82,8 +87,8 @@ static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolut
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         total += graph->regions[r].area;
     }
-    rules.smallest_cells = config->smallest_room_mm2 / cell_mm2 +
-                           (config->smallest_room_mm2 % cell_mm2 != 0u);
+    rules.smallest_cells = cells_of(config->smallest_room_mm2, cell_mm2);
+    rules.niche_cells = cells_of(config->niche_mm2, cell_mm2);
     rules.isolated_cells = rs_max_u32(rules.smallest_cells,
                                       total / 1000u * config->isolated_permille);
     rules.room_opening_percent = config->room_opening_percent;

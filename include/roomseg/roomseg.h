@@ -135,9 +135,14 @@ typedef struct roomseg_config {
     uint32_t smallest_room_mm2;
     uint32_t isolated_permille; /* 0..1000; default 10 */
 
+    /* Regions below this area are a niche of their neighbour, not a room, when the opening
+     * between them is at least nine tenths as wide as they are themselves. [mm2],
+     * 0 (none)..ROOMSEG_MAX_SMALLEST_ROOM_MM2; default 3,000,000. */
+    uint32_t niche_mm2;
+
     /* Two regions are one room when the opening between them is wide in proportion
      * to their own widths: opening >= percent/100 * sqrt(width_a * width_b), where a
-     * width is the diameter of the largest inscribed circle. 1..100; default 80. */
+     * width is the diameter of the largest inscribed circle. 1..100; default 85. */
     uint32_t room_opening_percent;
 
     /* The same between two regions that are both passages, that is, have

@@ -54,10 +54,9 @@ static void check_record(const run *r, const roomseg_room *room, const tally *t)
 
 /* Holds the radius, which ends at the wall's face, against the true distance between the cells'
  * centres, to a cell's length; the distances behind it are whole cells and end at 255. */
-static void check_radius(const run *r, const uint8_t *kinds, const roomseg_room *room)
+static void check_radius(const run *r, const uint32_t *walls2, const roomseg_room *room)
 {
-    uint64_t distance2 = reference_wall_distance2(kinds, r->grid.width, r->grid.height,
-                                                  room->interior_x, room->interior_y);
+    uint64_t distance2 = walls2[(size_t)room->interior_y * r->grid.width + room->interior_x];
     uint64_t resolution = r->grid.resolution_mm;
     uint64_t true2 = distance2 * resolution * resolution;
     uint64_t to_centre = room->inscribed_radius_mm + resolution / 2;
@@ -72,7 +71,8 @@ static void check_radius(const run *r, const uint8_t *kinds, const roomseg_room 
 }
 
 /* No other cell of the room is more than one cell further from the walls. */
-static void check_interior_is_best(const run *r, const uint8_t *kinds, const roomseg_room *room)
+static void check_interior_is_best(const run *r, const uint32_t *walls2,
+                                   const roomseg_room *room)
 {
     uint64_t resolution = r->grid.resolution_mm;
     uint64_t limit = room->inscribed_radius_mm / resolution + 2u;
@@ -82,8 +82,7 @@ static void check_interior_is_best(const run *r, const uint8_t *kinds, const roo
     for (uint32_t y = room->min_y; y <= room->max_y; y++) {
         for (uint32_t x = room->min_x; x <= room->max_x; x++) {
             if (run_label(r, x, y) == room->label &&
-                reference_wall_distance2(kinds, r->grid.width, r->grid.height, x, y) >=
-                    limit * limit) {
+                walls2[(size_t)y * r->grid.width + x] >= limit * limit) {
                 fail_with("room %u: %u, %u is farther from walls than its interior point",
                           room->label, (unsigned)x, (unsigned)y);
             }
@@ -94,6 +93,7 @@ static void check_interior_is_best(const run *r, const uint8_t *kinds, const roo
 void check_rooms(const run *r, const uint8_t *kinds)
 {
     tally *tallies = count_cells(r);
+    uint32_t *walls2 = reference_wall_distances2(kinds, r->grid.width, r->grid.height);
     for (uint32_t i = 0; i < r->result.room_count; i++) {
         const roomseg_room *room = &r->result.rooms[i];
         const tally *t = &tallies[i + 1];
@@ -104,8 +104,9 @@ void check_rooms(const run *r, const uint8_t *kinds)
             fail_with("rooms %u and %u are in the wrong order", (unsigned)i, (unsigned)i + 1);
         }
         check_record(r, room, t);
-        check_radius(r, kinds, room);
-        check_interior_is_best(r, kinds, room);
+        check_radius(r, walls2, room);
+        check_interior_is_best(r, walls2, room);
     }
+    free(walls2);
     free(tallies);
 }

@@ -113,27 +113,53 @@ uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid)
     return kinds;
 }
 
-static bool is_wall(const uint8_t *kinds, uint32_t width, uint32_t height, int64_t x, int64_t y)
+/* Distance of each cell to the nearest wall in its column; the rows outside are wall. */
+static uint32_t *column_distances(const uint8_t *kinds, uint32_t width, uint32_t height)
 {
-    return x < 0 || y < 0 || x >= width || y >= height ||
-           kinds[(size_t)y * width + (size_t)x] == CELL_WALL;
-}
-
-uint64_t reference_wall_distance2(const uint8_t *kinds, uint32_t width, uint32_t height,
-                                  uint32_t x, uint32_t y)
-{
-    uint64_t best = UINT64_MAX;
-    /* A ring `r` cells away holds nothing closer than r, so the search ends at r^2 >= best. */
-    for (int64_t r = 0; (uint64_t)(r * r) < best; r++) {
-        for (int64_t along = -r; along <= r; along++) {
-            uint64_t distance2 = (uint64_t)(r * r + along * along);
-            if (distance2 < best && (is_wall(kinds, width, height, x + along, y - r) ||
-                                     is_wall(kinds, width, height, x + along, y + r) ||
-                                     is_wall(kinds, width, height, x - r, y + along) ||
-                                     is_wall(kinds, width, height, x + r, y + along))) {
-                best = distance2;
-            }
+    uint32_t *distances = malloc((size_t)width * height * sizeof *distances);
+    TEST_ASSERT_NOT_NULL(distances);
+    for (uint32_t x = 0; x < width; x++) {
+        uint32_t distance = 0;
+        for (uint32_t y = 0; y < height; y++) {
+            size_t at = (size_t)y * width + x;
+            distance = kinds[at] == CELL_WALL ? 0 : distance + 1;
+            distances[at] = distance;
+        }
+        distance = 0;
+        for (uint32_t y = height; y-- > 0;) {
+            size_t at = (size_t)y * width + x;
+            distance = kinds[at] == CELL_WALL ? 0 : distance + 1;
+            distances[at] = distances[at] < distance ? distances[at] : distance;
         }
     }
-    return best;
+    return distances;
+}
+
+/* Squared distance over column x, `across` columns away; columns outside are wall. */
+static uint64_t over_column(const uint32_t *row, uint32_t width, int64_t x, int64_t across)
+{
+    uint64_t along = x < 0 || x >= width ? 0 : row[x];
+    return along * along + (uint64_t)(across * across);
+}
+
+uint32_t *reference_wall_distances2(const uint8_t *kinds, uint32_t width, uint32_t height)
+{
+    uint32_t *columns = column_distances(kinds, width, height);
+    uint32_t *distances = malloc((size_t)width * height * sizeof *distances);
+    TEST_ASSERT_NOT_NULL(distances);
+    for (uint32_t y = 0; y < height; y++) {
+        const uint32_t *row = columns + (size_t)y * width;
+        for (uint32_t x = 0; x < width; x++) {
+            uint64_t best = (uint64_t)row[x] * row[x];
+            for (int64_t across = 1; (uint64_t)(across * across) < best; across++) {
+                uint64_t left = over_column(row, width, (int64_t)x - across, across);
+                uint64_t right = over_column(row, width, (int64_t)x + across, across);
+                best = left < best ? left : best;
+                best = right < best ? right : best;
+            }
+            distances[(size_t)y * width + x] = (uint32_t)best;
+        }
+    }
+    free(columns);
+    return distances;
 }

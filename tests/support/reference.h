@@ -14,9 +14,8 @@ enum {
 /* Kind of each cell: width * height bytes, to be freed. */
 uint8_t *reference_kinds(const roomseg_config *config, const roomseg_grid *grid);
 
-/* Squared distance from cell (x, y) to the nearest wall cell, which may lie just outside of
- * the grid; between the cells' centres [cells^2]. Looks at `kinds` ring by ring. */
-uint64_t reference_wall_distance2(const uint8_t *kinds, uint32_t width, uint32_t height,
-                                  uint32_t x, uint32_t y);
+/* Squared distance between the centre of each cell and that of the nearest wall cell, which may
+ * lie just outside of the grid [cells^2]: width * height numbers, to be freed. */
+uint32_t *reference_wall_distances2(const uint8_t *kinds, uint32_t width, uint32_t height);
 
 #endif

@@ -15,8 +15,9 @@ roomseg_config roomseg_config_default(void)
     config.niche_mm2 = 3000000;
     config.isolated_permille = 10;
     config.room_opening_percent = 85;
-    config.passage_opening_percent = 40;
+    config.passage_opening_percent = 41;
     config.passage_min_neighbours = 3;
+    config.unwalled_percent = 50;
     config.max_regions = 1024;
     config.max_rooms = 255;
     config.progress = NULL;
@@ -35,7 +36,7 @@ int rs_config_check(const roomseg_config *config)
                 config->passage_opening_percent <= 100u &&
                 config->passage_min_neighbours >= 2u &&
                 config->passage_min_neighbours <= RS_MERGE_MAX_NEIGHBOURS &&
-                config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
+                config->unwalled_percent <= 100u && config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
                 config->max_rooms >= 1u && config->max_rooms <= ROOMSEG_MAX_ROOMS &&
                 config->max_rooms <= config->max_regions;
 

@@ -100,6 +100,26 @@ static void measure_cell(rs_region *region, uint32_t height, uint32_t index, uin
     }
 }
 
+/* What the passes over the cells read. */
+typedef struct source {
+    const rs_frame *frame;
+    const roomseg_grid *grid;
+    uint32_t occupied_min;
+} source;
+
+/* Notes a face between a cell of a region and the obstacle at crop position (x, y), which
+ * may lie one cell outside of the crop and of the grid. */
+static void add_face(const source *from, rs_region *region, uint32_t x, uint32_t y)
+{
+    uint32_t grid_x = from->frame->x + x, grid_y = from->frame->y + y; /* modulo 2^32 */
+
+    region->border++;
+    if (grid_x < from->grid->width && grid_y < from->grid->height) {
+        region->walls += from->grid->cells[(size_t)grid_y * from->grid->stride + grid_x] >=
+                         from->occupied_min;
+    }
+}
+
 static void init(edge_table *table)
 {
     rs_graph *graph = table->graph;
@@ -113,42 +133,87 @@ static void init(edge_table *table)
     memset(table->slots, 0xFF, table->slot_count * sizeof *table->slots); /* NO_EDGE */
 }
 
+/* Measures the faces of cell (x, y) and of its right and lower neighbours towards each
+ * other; here, right and lower are their labels. */
+static void measure_faces(const source *from, rs_region *regions, uint16_t here, uint16_t right,
+                          uint16_t lower, uint32_t x, uint32_t y)
+{
+    if (here == 0u) {
+        if (right != 0u) {
+            add_face(from, &regions[right], x, y);
+        }
+        if (lower != 0u) {
+            add_face(from, &regions[lower], x, y);
+        }
+        return;
+    }
+    if (right == 0u) {
+        add_face(from, &regions[here], x + 1u, y);
+    }
+    if (lower == 0u) {
+        add_face(from, &regions[here], x, y + 1u);
+    }
+    if (x == 0u) {
+        add_face(from, &regions[here], 0u - 1u, y);
+    }
+    if (y == 0u) {
+        add_face(from, &regions[here], x, 0u - 1u);
+    }
+}
+
+/* One row of labels; `below` is NULL behind the last one. */
+static bool read_row(const source *from, edge_table *table, const uint8_t *height,
+                     const uint16_t *row, const uint16_t *below, uint32_t y)
+{
+    const rs_frame *frame = from->frame;
+    rs_region *regions = table->graph->regions;
+    const uint8_t *cells =
+        from->grid->cells + (size_t)(frame->y + y) * from->grid->stride + frame->x;
+    uint32_t index = rs_frame_index(frame, 0, y);
+
+    for (uint32_t x = 0; x < frame->width; x++) {
+        uint16_t here = row[x];
+        uint16_t right = x + 1u < frame->width ? row[x + 1u] : 0u;
+        uint16_t lower = below != NULL ? below[x] : 0u;
+
+        if (here == 0u || right == 0u || lower == 0u || x == 0u || y == 0u) {
+            measure_faces(from, regions, here, right, lower, x, y);
+        }
+        if (here == 0u) {
+            continue;
+        }
+        if (cells[x] < from->occupied_min) {
+            measure_cell(&regions[here], height[x], index + x, x, y);
+        }
+        if (right != here && right != 0u &&
+            !touch(table, here, right, height[x], height[x + 1u], x, y)) {
+            return false;
+        }
+        if (lower != here && lower != 0u &&
+            !touch(table, here, lower, height[x], height[x + frame->stride], x, y)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
                    uint32_t max_edges, uint32_t *slots, rs_ticker *ticker)
 {
     edge_table table = {graph, slots, 2u * max_edges, max_edges, NO_EDGE};
+    source from = {frame, grid, occupied_min};
 
     init(&table);
     for (uint32_t y = 0; y < frame->height; y++) {
-        const uint8_t *cells = grid->cells + (size_t)(frame->y + y) * grid->stride + frame->x;
         const uint16_t *row = labels->cells + (size_t)y * labels->stride;
-        const uint16_t *below = row + labels->stride;
-        uint32_t index = rs_frame_index(frame, 0, y);
-        const uint8_t *height = surface + index;
+        const uint16_t *below = y + 1u < frame->height ? row + labels->stride : NULL;
 
         if (rs_tick(ticker, frame->width, y, frame->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        for (uint32_t x = 0; x < frame->width; x++) {
-            uint16_t p = row[x];
-            uint16_t right = x + 1u < frame->width ? row[x + 1u] : 0u;
-            uint16_t lower = y + 1u < frame->height ? below[x] : 0u;
-
-            if (p == 0u) {
-                continue;
-            }
-            if (cells[x] < occupied_min) {
-                measure_cell(&graph->regions[p], height[x], index + x, x, y);
-            }
-            if (right != p && right != 0u &&
-                !touch(&table, p, right, height[x], height[x + 1u], x, y)) {
-                return ROOMSEG_ERR_REGIONS;
-            }
-            if (lower != p && lower != 0u &&
-                !touch(&table, p, lower, height[x], height[x + frame->stride], x, y)) {
-                return ROOMSEG_ERR_REGIONS;
-            }
+        if (!read_row(&from, &table, surface + rs_frame_index(frame, 0, y), row, below, y)) {
+            return ROOMSEG_ERR_REGIONS;
         }
     }
     return ROOMSEG_OK;

@@ -10,6 +10,8 @@ typedef struct rs_region {
     uint32_t area;           /* cells that may carry a label */
     uint32_t first_cell;     /* the first of them in reading order, bordered index */
     uint32_t first_half;     /* half-edge list, RS_NO_HALF: no neighbour */
+    uint32_t border;         /* faces between its cells and obstacles */
+    uint32_t walls;          /* those of them whose obstacle is certain */
     uint16_t peak_x, peak_y; /* the one of the greatest distance, crop coordinates */
     uint16_t parent;         /* region it was merged into; its own label: a root */
     uint16_t peak;           /* that greatest distance [cells] */

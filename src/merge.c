@@ -45,6 +45,8 @@ static uint16_t unite(rs_graph *graph, uint16_t p, uint16_t q)
         into->peak_y = from->peak_y;
     }
     into->area += from->area;
+    into->border += from->border;
+    into->walls += from->walls;
     regions[keep_p ? q : p].parent = root;
     return root;
 }
@@ -266,6 +268,36 @@ static void drop_isolated(const rs_merge_rules *rules, rs_graph *graph)
     }
 }
 
+/* Drops what the sensor saw through windows and open doors: small against the map, and
+ * bounded by walls far less than the map as a whole. On maps that do not mark their walls
+ * as certain obstacles nothing can be told. */
+#define MAP_WALLS_PERCENT 40u /* least share of walls in the whole border */
+#define UNWALLED_AREA_PERCENT 10u /* largest share of the whole area */
+
+static void drop_unwalled(const rs_merge_rules *rules, rs_graph *graph)
+{
+    uint64_t area = 0, border = 0, walls = 0;
+
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        const rs_region *region = &graph->regions[r];
+        if (region->parent == r && region->area > 0u) {
+            area += region->area;
+            border += region->border;
+            walls += region->walls;
+        }
+    }
+    if (walls * 100u < border * MAP_WALLS_PERCENT) {
+        return;
+    }
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        rs_region *region = &graph->regions[r];
+        if (region->parent == r && region->area * 100ull < area * UNWALLED_AREA_PERCENT &&
+            region->walls * border * 100u < region->border * walls * rules->unwalled_percent) {
+            region->area = 0;
+        }
+    }
+}
+
 int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *heap_items,
                  rs_ticker *ticker)
 {
@@ -281,6 +313,7 @@ int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *hea
     }
     if (status == ROOMSEG_OK) {
         drop_isolated(rules, graph);
+        drop_unwalled(rules, graph);
     }
     return status;
 }

@@ -14,6 +14,7 @@ typedef struct rs_merge_rules {
     uint32_t room_opening_percent;   /* 1..100 */
     uint32_t passage_opening_percent;
     uint32_t passage_min_neighbours; /* 2..RS_MERGE_MAX_NEIGHBOURS */
+    uint32_t unwalled_percent;       /* 0..100, see roomseg_config */
 } rs_merge_rules;
 
 #define RS_MERGE_MAX_NEIGHBOURS 8u

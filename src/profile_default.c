@@ -94,6 +94,7 @@ static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolut
     rules.room_opening_percent = config->room_opening_percent;
     rules.passage_opening_percent = config->passage_opening_percent;
     rules.passage_min_neighbours = config->passage_min_neighbours;
+    rules.unwalled_percent = config->unwalled_percent;
     return rules;
 }
 

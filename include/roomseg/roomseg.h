@@ -147,9 +147,16 @@ typedef struct roomseg_config {
 
     /* The same between two regions that are both passages, that is, have
      * passage_min_neighbours or more neighbours of at least smallest_room_mm2.
-     * 1..100; default 40. passage_min_neighbours: 2..8; default 3. */
+     * 1..100; default 41. passage_min_neighbours: 2..8; default 3. */
     uint32_t passage_opening_percent;
     uint32_t passage_min_neighbours;
+
+    /* What was only seen through a window or an open door is no room: its border consists
+     * of walls (cells of occupied_min or more) by less than this percentage of the share
+     * that walls have in the border of the whole map. Such rooms below a tenth of the whole
+     * area are dropped (label 0), unless walls make up less than 40 % of the whole border:
+     * then the map does not mark its walls. 0 (keep all)..100; default 50. */
+    uint32_t unwalled_percent;
 
     /* Capacities; the arena grows with them (see ROOMSEG_ARENA_SIZE). More regions
      * or rooms than these end the run with ROOMSEG_ERR_REGIONS / _ROOMS.

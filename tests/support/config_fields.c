@@ -13,9 +13,11 @@ const config_field config_fields[] = {
     FIELD(clutter_mm, 0, ROOMSEG_MAX_CLUTTER_MM),
     FIELD(smallest_room_mm2, 0, ROOMSEG_MAX_SMALLEST_ROOM_MM2),
     FIELD(isolated_permille, 0, 1000),
+    FIELD(niche_mm2, 0, ROOMSEG_MAX_SMALLEST_ROOM_MM2),
     FIELD(room_opening_percent, 1, 100),
     FIELD(passage_opening_percent, 1, 100),
     FIELD(passage_min_neighbours, 2, 8),
+    FIELD(unwalled_percent, 0, 100),
     FIELD(max_regions, 1, ROOMSEG_MAX_REGIONS),
     FIELD(max_rooms, 1, 1024), /* at most max_regions, which is 1024 by default */
 };

@@ -92,8 +92,8 @@ static void check_json_file(const map *m, const segmentation *s) {
     scratch_read("rooms.json", text, sizeof text);
     static const char *const parts[] = {
         "\"version\": 1,",
-        "\"file\": \"a \\\"plan\\\".png\", \"width\": 150, \"height\": 80, "
-        "\"resolution_m\": 0.05,",
+        "\"file\": \"a \\\"plan\\\".png\", \"width\": 150, \"height\": 80, ",
+        "80, \"resolution_m\": 0.05,",
         "\"origin\": {\"m\": [-1, 2], \"yaw_rad\": 0}",
         "\"crop\": {\"x\": 5, \"y\": 5, \"width\": 140, \"height\": 70}",
         "{\"label\": 1, \"area_m2\": ",

@@ -1,0 +1,222 @@
+#!/bin/sh
+# Runs the roomseg command as a user does: exit codes, messages, output files.
+# usage: cli_test.sh PATH_OF_ROOMSEG
+# One line a check; exit code 1 when one fails.
+case $1 in
+/*) roomseg=$1 ;;
+*) roomseg=$PWD/$1 ;;
+esac
+[ -x "$roomseg" ] || {
+    echo "usage: cli_test.sh PATH_OF_ROOMSEG" >&2
+    exit 2
+}
+LC_ALL=C
+export LC_ALL
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+cd "$work" || exit 1
+failures=0
+
+# verdict NAME CONDITION...: the condition is a command
+verdict() {
+    name=$1
+    shift
+    if "$@"; then
+        echo "ok: $name"
+    else
+        echo "FAILED: $name ($*)"
+        sed 's/^/    stdout: /' stdout | head -n 5
+        sed 's/^/    stderr: /' stderr | head -n 5
+        failures=$((failures + 1))
+    fi
+}
+
+run() {
+    "$roomseg" "$@" >stdout 2>stderr
+    code=$?
+}
+
+one_line() {
+    [ "$(wc -l <stderr)" -eq 1 ]
+}
+
+# refused NAME MESSAGE ARGUMENT...: bad input, one line that holds the message
+refused() {
+    name=$1
+    message=$2
+    shift 2
+    run "$@"
+    verdict "$name: exit 1" [ "$code" -eq 1 ]
+    verdict "$name: one line" one_line
+    verdict "$name: says why" grep -qF -e "$message" stderr
+}
+
+# misused NAME MESSAGE ARGUMENT...: wrong usage, the message and a hint
+misused() {
+    name=$1
+    message=$2
+    shift 2
+    run "$@"
+    verdict "$name: exit 2" [ "$code" -eq 2 ]
+    verdict "$name: says why" grep -qF -e "$message" stderr
+    verdict "$name: shows the usage" grep -q '^usage: roomseg' stderr
+}
+
+# Two rooms of 3 x 3 m with a door, white or black free.
+# plan FREE OCCUPIED
+plan() {
+    awk -v free="$1" -v occupied="$2" 'BEGIN {
+        print "P2\n150 80\n255"
+        for (y = 0; y < 80; y++)
+            for (x = 0; x < 150; x++) {
+                room = y >= 5 && y < 75 && (x >= 5 && x < 70 || x >= 75 && x < 145)
+                door = y >= 30 && y < 48 && x >= 70 && x < 75
+                print room || door ? free : occupied
+            }
+    }'
+}
+plan 0 255 >plan.pgm
+plan 254 0 >plan_ros.pgm
+cat >plan.yaml <<'END'
+image: plan_ros.pgm
+resolution: 0.05
+origin: [10.0, 20.0, 0.0]
+negate: 0
+occupied_thresh: 0.65
+free_thresh: 0.196
+END
+
+# ---- the program itself
+
+run --version
+verdict "version: exit 0" [ "$code" -eq 0 ]
+verdict "version: a number" grep -Eq '^roomseg [0-9]+\.[0-9]+\.[0-9]+$' stdout
+run --help
+verdict "help: exit 0" [ "$code" -eq 0 ]
+verdict "help: names the commands" grep -q segment stdout
+run segment --help
+verdict "segment --help: exit 0" [ "$code" -eq 0 ]
+verdict "segment --help: explains" grep -q -e --resolution stdout
+misused "no command" "which command?"
+misused "unknown command" "unknown command 'sweep'" sweep
+misused "no map" "which map?" segment -o out
+misused "no folder" "-o FOLDER is missing" segment plan.pgm
+misused "two maps" "unexpected argument 'b'" segment a b -o out
+misused "unknown option" "unknown option '--fast'" segment plan.pgm -o out --fast
+misused "option without value" "--resolution needs a value" segment plan.pgm -o out --resolution
+misused "unknown profile" "unknown profile 'x'" segment plan.pgm -o out --profile x
+for value in nan inf -0.05 0 0.019 0.21 0.05m '' 0x1p-4 1e-400; do
+    misused "resolution '$value'" "--resolution" segment plan.pgm -o out --resolution "$value"
+done
+for value in -1 255 1.5 x 10x; do
+    misused "free-below '$value'" "--free-below needs" segment plan.pgm -o out --free-below "$value"
+done
+misused "occupied below free" "is below" segment plan.pgm -o out --free-below 90 --occupied-above 80
+verdict "wrong usage writes nothing" [ ! -e out ]
+
+# ---- a map, all the way
+
+run segment plan.pgm --resolution 0.05 -o deep/er/out
+verdict "segment: exit 0" [ "$code" -eq 0 ]
+verdict "segment: silent on stderr" [ ! -s stderr ]
+verdict "segment: finds two rooms" grep -q '^2 rooms' stdout
+verdict "segment: tells the arena" grep -Eq '^arena: [0-9]+ bytes .* bytes a cell$' stdout
+verdict "segment: tells where" grep -qF 'deep/er/out/{labels.pgm,rooms.json,rooms.png}' stdout
+verdict "segment: three files, no others" [ "$(ls -A deep/er/out | tr '\n' ' ')" = \
+    "labels.pgm rooms.json rooms.png " ]
+verdict "labels: size and depth" [ "$(head -n 3 deep/er/out/labels.pgm | tr '\n' ' ')" = \
+    "P5 150 80 255 " ]
+verdict "labels: every cell" [ "$(wc -c <deep/er/out/labels.pgm)" -eq $((150 * 80 + 14)) ]
+verdict "picture: a PNG" [ "$(od -An -tx1 -N8 deep/er/out/rooms.png | tr -d ' ')" = \
+    89504e470d0a1a0a ]
+verdict "json: the map's resolution" grep -q '"resolution_m": 0.05,' deep/er/out/rooms.json
+verdict "json: both rooms" [ "$(grep -c '"label":' deep/er/out/rooms.json)" -eq 2 ]
+cp -R deep/er/out first
+run segment plan.pgm --resolution=0.05 -o deep/er/out
+verdict "again: the same bytes" diff -r first deep/er/out
+
+run segment plan.yaml -o yaml_out
+verdict "yaml: exit 0" [ "$code" -eq 0 ]
+verdict "yaml: the same labels" cmp -s first/labels.pgm yaml_out/labels.pgm
+verdict "yaml: its origin" grep -qF '"origin": {"m": [10, 20]' yaml_out/rooms.json
+run segment plan_ros.pgm --resolution 0.05 --invert -o invert_out
+verdict "invert: the same labels" cmp -s first/labels.pgm invert_out/labels.pgm
+run segment plan_ros.pgm -o walls_out
+verdict "not inverted: the walls are the rooms" [ "$code" -eq 0 ]
+verdict "not inverted: other labels" [ "$(cmp -s first/labels.pgm walls_out/labels.pgm; echo $?)" \
+    -eq 1 ]
+(cd first && "$roomseg" segment ../plan.yaml -o ../from_elsewhere >/dev/null 2>&1)
+verdict "yaml: image beside the YAML" cmp -s first/labels.pgm from_elsewhere/labels.pgm
+echo 'P2 2 1 255 127 255' >solid.pgm
+run segment solid.pgm -o solid_out
+verdict "no free cell: exit 0" [ "$code" -eq 0 ]
+verdict "no free cell: no rooms" grep -q '^0 rooms' stdout
+verdict "no free cell: a picture all the same" [ -s solid_out/rooms.png ]
+plan 60 255 >dim.pgm
+run segment dim.pgm -o dim_out
+verdict "free-below: 60 is not free" grep -q '^0 rooms' stdout
+run segment dim.pgm --free-below 60 -o dim_out
+verdict "free-below: 60 is free" grep -q '^2 rooms' stdout
+cp plan.pgm ./-plan.pgm
+run segment -o dash_out -- -plan.pgm
+verdict "a map whose name begins with a dash" [ "$code" -eq 0 ]
+
+# ---- bad input
+
+refused "missing map" "missing.png: No such file" segment missing.png -o bad
+refused "a folder as map" "first: Is a directory" segment first -o bad
+: >empty.png
+refused "empty map" "empty.png: the file is empty" segment empty.png -o bad
+head -c 9000 plan.pgm >cut.pgm
+refused "truncated PGM" "cut.pgm: " segment cut.pgm -o bad
+head -c 60 first/rooms.png >cut.png
+refused "truncated PNG" "cut.png: the PNG is truncated" segment cut.png -o bad
+refused "colour PNG" "rooms.png: the image has colours" segment first/rooms.png -o bad
+refused "not a map" "rooms.json:1: " segment first/rooms.json -o bad
+sed 's/0.05/.nan/' plan.yaml >nan.yaml
+refused "resolution in a YAML" "nan.yaml:2: resolution is not a finite number" \
+    segment nan.yaml -o bad
+sed '/negate/d' plan.yaml >short.yaml
+refused "key missing" "short.yaml: key 'negate' is missing" segment short.yaml -o bad
+refused "YAML inverted" "plan.yaml: " segment plan.yaml --invert -o bad
+verdict "bad maps write nothing" [ ! -e bad ]
+
+refused "a file as folder" "plan.pgm: cannot make the folder: Not a directory" \
+    segment plan.pgm -o plan.pgm
+refused "a folder below a file" "plan.pgm: cannot make the folder: Not a directory" \
+    segment plan.pgm -o plan.pgm/out
+if [ -d /proc/self ]; then
+    refused "a folder that cannot be made" "/proc/roomseg: cannot make the folder" \
+        segment plan.pgm -o /proc/roomseg
+fi
+mkdir locked
+chmod 555 locked
+if [ "$(id -u)" -ne 0 ]; then
+    refused "unwritable folder" "locked/labels.pgm: cannot write" segment plan.pgm -o locked
+fi
+mkdir -p taken/rooms.json
+refused "a folder has an output's name" "taken/rooms.json: cannot write: Is a directory" \
+    segment plan.pgm -o taken
+verdict "nothing unfinished is left" [ -z "$(find . -name '*.tmp')" ]
+
+# A disk that is full after one block: the old files must stay as they were.
+cp -R first full
+(
+    trap '' XFSZ
+    ulimit -f 1
+    "$roomseg" segment plan.pgm -o full 2>&1 >/dev/null | cat >&3
+) 3>full_message
+cp full_message stderr
+verdict "full disk: one line" one_line
+verdict "full disk: says why" grep -q 'full/.*: cannot write: ' stderr
+verdict "full disk: old files stay" diff -r first full
+if [ -c /dev/full ]; then
+    "$roomseg" segment plan.pgm -o full >/dev/full 2>stderr
+    code=$?
+    verdict "full standard output: exit 1" [ "$code" -eq 1 ]
+    verdict "full standard output: says why" grep -q 'standard output: cannot write' stderr
+fi
+
+echo "$failures failed"
+[ "$failures" -eq 0 ]

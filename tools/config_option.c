@@ -24,9 +24,11 @@ static const numeric_field numeric_fields[] = {
     FIELD(clutter_mm),
     FIELD(smallest_room_mm2),
     FIELD(isolated_permille),
+    FIELD(niche_mm2),
     FIELD(room_opening_percent),
     FIELD(passage_opening_percent),
     FIELD(passage_min_neighbours),
+    FIELD(unwalled_percent),
     FIELD(max_regions),
     FIELD(max_rooms),
 };

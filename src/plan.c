@@ -1,10 +1,5 @@
 #include "plan.h"
 
-RS_STATIC_ASSERT(ROOMSEG_STAGE_COMPONENTS == 1 && ROOMSEG_STAGE_SURFACE == 2 &&
-                     ROOMSEG_STAGE_WATERSHED == 3 && ROOMSEG_STAGE_GRAPH == 4 &&
-                     ROOMSEG_STAGE_MERGE == 5 && ROOMSEG_STAGE_ROOMS == 6,
-                 plan_stages);
-
 static size_t end_of(const rs_plan *plan, const rs_plan_row *rows, uint32_t i)
 {
     return plan->offset[i] + ROOMSEG_PLAN_ALIGN(rows[i].bytes);

@@ -1,0 +1,161 @@
+#include "rotate.h"
+
+#include <string.h>
+
+/* Positions are fixed-point numbers of 31 fractional bits, from the middle of the crop or
+ * from its first cell; at most 2^17 cells either way, so they stay below 2^49. */
+#define SHIFT 31
+
+/* Makes every position positive before it is shifted down. */
+#define BIAS 262144 /* 2^18 cells */
+
+/* To the nearest whole cell; from the middle between two to the greater one. */
+static inline int32_t nearest(int64_t position)
+{
+    uint64_t biased = (uint64_t)(position + ((int64_t)BIAS << SHIFT)) + (1u << (SHIFT - 1));
+
+    return (int32_t)(uint32_t)(biased >> SHIFT) - BIAS;
+}
+
+/* Turned position of crop cell (x, y), from the middle. A cell's distance from the middle is
+ * a whole number of half cells. */
+static int64_t turned_x_of(const rs_rotation *r, uint32_t x, uint32_t y)
+{
+    int64_t dx = (int64_t)(2u * x) - (r->crop->width - 1u);
+    int64_t dy = (int64_t)(2u * y) - (r->crop->height - 1u);
+
+    return dx * r->axis.cos + dy * r->axis.sin;
+}
+
+static int64_t turned_y_of(const rs_rotation *r, uint32_t x, uint32_t y)
+{
+    int64_t dx = (int64_t)(2u * x) - (r->crop->width - 1u);
+    int64_t dy = (int64_t)(2u * y) - (r->crop->height - 1u);
+
+    return dy * r->axis.cos - dx * r->axis.sin;
+}
+
+/* Crop position of turned cell (x, y), from the crop's first cell. */
+static int64_t crop_x_of(const rs_rotation *r, uint32_t x, uint32_t y)
+{
+    int64_t dx = (int64_t)r->left + x, dy = (int64_t)r->top + y;
+
+    return 2 * (dx * r->axis.cos - dy * r->axis.sin) +
+           (int64_t)(r->crop->width - 1u) * RS_TRIG_ONE;
+}
+
+static int64_t crop_y_of(const rs_rotation *r, uint32_t x, uint32_t y)
+{
+    int64_t dx = (int64_t)r->left + x, dy = (int64_t)r->top + y;
+
+    return 2 * (dx * r->axis.sin + dy * r->axis.cos) +
+           (int64_t)(r->crop->height - 1u) * RS_TRIG_ONE;
+}
+
+/* What the turned frame must hold, from the middle. */
+typedef struct bounds {
+    int32_t left, right, top, bottom;
+} bounds;
+
+static void include(const rs_rotation *r, uint32_t x, uint32_t y, bounds *b)
+{
+    int32_t turned_x = nearest(turned_x_of(r, x, y)), turned_y = nearest(turned_y_of(r, x, y));
+
+    b->left = turned_x < b->left ? turned_x : b->left;
+    b->right = turned_x > b->right ? turned_x : b->right;
+    b->top = turned_y < b->top ? turned_y : b->top;
+    b->bottom = turned_y > b->bottom ? turned_y : b->bottom;
+}
+
+int rs_rotate_init(const rs_frame *crop, const roomseg_grid *grid, uint8_t free_max,
+                   int32_t angle, rs_rotation *rotation, rs_ticker *ticker)
+{
+    bounds b = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+
+    rotation->crop = crop;
+    rotation->axis = rs_trig_direction(angle);
+    /* The cells furthest out are the first or the last of their row. */
+    for (uint32_t y = 0; y < crop->height; y++) {
+        const uint8_t *row = grid->cells + (size_t)(crop->y + y) * grid->stride + crop->x;
+        uint32_t first = 0, last = crop->width;
+
+        if (rs_tick(ticker, crop->width, y, crop->height)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        while (first < last && row[first] > free_max) {
+            first++;
+        }
+        while (last > first && row[last - 1u] > free_max) {
+            last--;
+        }
+        if (first < last) {
+            include(rotation, first, y, &b);
+            include(rotation, last - 1u, y, &b);
+        }
+    }
+    rotation->left = b.left;
+    rotation->top = b.top;
+    rotation->width = (uint32_t)(b.right - b.left) + 1u;
+    rotation->height = (uint32_t)(b.bottom - b.top) + 1u;
+    return ROOMSEG_OK;
+}
+
+int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t fill,
+                   uint8_t *cells, rs_ticker *ticker)
+{
+    const rs_rotation *r = rotation;
+
+    for (uint32_t y = 0; y < r->height; y++, cells += r->width) {
+        int64_t from_x = crop_x_of(r, 0, y), from_y = crop_y_of(r, 0, y);
+
+        if (rs_tick(ticker, r->width, y, r->height)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; x < r->width; x++) {
+            uint32_t grid_x = (uint32_t)nearest(from_x) + r->crop->x; /* modulo 2^32 */
+            uint32_t grid_y = (uint32_t)nearest(from_y) + r->crop->y;
+
+            cells[x] = grid_x < grid->width && grid_y < grid->height
+                           ? grid->cells[(size_t)grid_y * grid->stride + grid_x]
+                           : fill;
+            from_x += 2 * (int64_t)r->axis.cos;
+            from_y += 2 * (int64_t)r->axis.sin;
+        }
+    }
+    return ROOMSEG_OK;
+}
+
+int rs_rotate_labels_back(const rs_rotation *rotation, const uint16_t *turned,
+                          const uint8_t *mask, const rs_labels *labels, rs_ticker *ticker)
+{
+    const rs_rotation *r = rotation;
+
+    for (uint32_t y = 0; y < r->crop->height; y++) {
+        int64_t from_x = turned_x_of(r, 0, y), from_y = turned_y_of(r, 0, y);
+        const uint8_t *open = mask + rs_frame_index(r->crop, 0, y);
+        uint16_t *to = labels->cells + (size_t)y * labels->stride;
+
+        if (rs_tick(ticker, r->crop->width, y, r->crop->height)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; x < r->crop->width; x++) {
+            uint32_t turned_x = (uint32_t)(nearest(from_x) - r->left); /* modulo 2^32 */
+            uint32_t turned_y = (uint32_t)(nearest(from_y) - r->top);
+
+            to[x] = open[x] != 0u && turned_x < r->width && turned_y < r->height
+                        ? turned[(size_t)turned_y * r->width + turned_x]
+                        : (uint16_t)0;
+            from_x += 2 * (int64_t)r->axis.cos;
+            from_y -= 2 * (int64_t)r->axis.sin;
+        }
+    }
+    return ROOMSEG_OK;
+}
+
+bool rs_rotate_cell_back(const rs_rotation *rotation, uint32_t turned_x, uint32_t turned_y,
+                         uint32_t *x, uint32_t *y)
+{
+    *x = (uint32_t)nearest(crop_x_of(rotation, turned_x, turned_y)); /* modulo 2^32 */
+    *y = (uint32_t)nearest(crop_y_of(rotation, turned_x, turned_y));
+    return *x < rotation->crop->width && *y < rotation->crop->height;
+}

@@ -36,29 +36,45 @@ static int build_world(const sim_options *o, const flat *f, const uint8_t *skip,
     return 0;
 }
 
-/* Flags the rooms next to open passages that the robot did not enter, and those from where
- * it would come. Returns how many rooms are flagged anew. */
-static int flag_blocked(const flat *f, const route *way, uint8_t *skip) {
-    int added = 0;
+/* Takes the open door leaves out of two rooms. Returns how many. */
+static int unhang_leaves(flat *f, int room_a, int room_b) {
+    int gone = 0;
+    for (int i = 0; i < f->opening_count; i++) {
+        opening *o = &f->openings[i];
+        int room = o->has_leaf ? f->parts[o->leaf_in_high ? o->high : o->low].room : 0;
+        if (room != 0 && (room == room_a || room == room_b)) {
+            o->has_leaf = 0;
+            gone++;
+        }
+    }
+    return gone;
+}
+
+/* Clears the way where the robot did not get through a passage: the rooms on both sides
+ * lose their furniture (flags in skip), or, bare already, their door leaves. Returns how
+ * much was changed. */
+static int clear_blocked(flat *f, const route *way, uint8_t *skip) {
+    int changed = 0;
     for (int i = 0; i < f->opening_count; i++) {
         const opening *o = &f->openings[i];
         if (o->low < 0 || o->high < 0 || o->shut) {
             continue;
         }
-        const int rooms[2] = {f->parts[o->low].room, f->parts[o->high].room};
-        int blocked = rooms[0] != 0 && rooms[1] != 0 &&
-                      (!way->visited[rooms[0]] || !way->visited[rooms[1]]);
-        for (int side = 0; side < 2 && blocked; side++) {
-            added += !skip[rooms[side]];
-            skip[rooms[side]] = 1;
+        int a = f->parts[o->low].room;
+        int b = f->parts[o->high].room;
+        if (a == 0 || b == 0 || (way->visited[a] && way->visited[b])) {
+            continue;
         }
+        changed += skip[a] && skip[b] ? unhang_leaves(f, a, b) : 1;
+        skip[a] = 1;
+        skip[b] = 1;
     }
-    return added;
+    return changed;
 }
 
-/* Builds the flat and the robot's way through it. Where furniture keeps the robot out of a
- * room, it is cleared away and all is done again. */
-static int build_and_drive(const sim_options *o, const flat *f, world *w, route *way) {
+/* Builds the flat and the robot's way through it, again and again until the robot gets into
+ * each room that is open to it. */
+static int build_and_drive(const sim_options *o, flat *f, world *w, route *way) {
     uint8_t skip[FLAT_MAX_PARTS + 1] = {0};
     for (;;) {
         rng r;
@@ -71,7 +87,7 @@ static int build_and_drive(const sim_options *o, const flat *f, world *w, route 
             world_free(w);
             return -1;
         }
-        if (flag_blocked(f, way, skip) == 0) {
+        if (clear_blocked(f, way, skip) == 0) {
             return 0;
         }
         drive_free(way);

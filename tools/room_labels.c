@@ -3,13 +3,23 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Share of the cells under a text that must be the room's own: chair legs may be there. */
+/* Share of the cells under a text that should be the room's own, and that must be where no
+ * such place is found: chair legs may be there. */
+#define GOOD_OWN_SHARE 0.995
 #define MIN_OWN_SHARE 0.93
+#define MAX_SAMPLES 40
 
 /* Sizes as multiples of the number's height. */
 #define AREA_HEIGHT 0.62
 #define LINE_GAP 0.5
 #define ROOM_AROUND 0.5
+
+/* The number's height is such that so many fit in the picture's long side and in the
+ * radius of a usual room's inscribed circle, within limits. */
+#define LONG_SIDE_HEIGHTS 60.0
+#define RADIUS_HEIGHTS 1.8
+#define MIN_NUMBER_PX 14.0
+#define MAX_NUMBER_PX 40.0
 
 #define MIN_HEIGHT_PX 8.5
 #define INK_RADIUS 0.08
@@ -19,9 +29,14 @@ static const color ink = {33, 37, 41};
 static const color halo = {255, 255, 255};
 
 double room_text_height(const view *v) {
-    double long_side = v->width_px > v->height_px ? v->width_px : v->height_px;
-    double height = long_side / 60;
-    return height < 13 ? 13 : height > 40 ? 40 : height;
+    const roomseg_result *r = &v->s->result;
+    double height = (v->width_px > v->height_px ? v->width_px : v->height_px) / LONG_SIDE_HEIGHTS;
+    if (r->room_count > 0) {
+        /* Rooms are sorted by area: the middle one stands for them all. */
+        double radius_m = r->rooms[r->room_count / 2].inscribed_radius_mm / 1000.0;
+        height = fmin(height, view_px(v, radius_m / v->m->resolution_m) / RADIUS_HEIGHTS);
+    }
+    return fmin(fmax(height, MIN_NUMBER_PX), MAX_NUMBER_PX);
 }
 
 void draw_label(canvas *c, double x, double y, const char *text, double height) {
@@ -40,32 +55,44 @@ typedef struct place {
     int x, y;
 } place;
 
-/* Do 2 * half_x + 1 by 2 * half_y + 1 cells around the place lie in the room? */
-static int is_inside(const view *v, uint16_t label, place at, int half_x, int half_y) {
+/* Share of the 2 * half_x + 1 by 2 * half_y + 1 cells around the place that lie in the
+ * room. Looks at about MAX_SAMPLES cells a row and column. */
+static double own_share(const view *v, uint16_t label, place at, int half_x, int half_y) {
+    int step_x = 1 + 2 * half_x / MAX_SAMPLES;
+    int step_y = 1 + 2 * half_y / MAX_SAMPLES;
     long own = 0;
-    for (int y = at.y - half_y; y <= at.y + half_y; y++) {
-        for (int x = at.x - half_x; x <= at.x + half_x; x++) {
+    long seen = 0;
+    for (int y = at.y - half_y; y <= at.y + half_y; y += step_y) {
+        for (int x = at.x - half_x; x <= at.x + half_x; x += step_x) {
             own += view_label(v, x, y) == label;
+            seen++;
         }
     }
-    return (double)own >= MIN_OWN_SHARE * (2.0 * half_x + 1) * (2.0 * half_y + 1);
+    return (double)own / (double)seen;
 }
 
 /* Looks for a place at the room's interior point, or moved so far that the text still
- * touches it. Returns whether there is one. */
+ * touches it, nearest first. Returns whether there is one. */
 static int find_place(const view *v, const roomseg_room *room, size_px size, place *out) {
-    static const int8_t moves[][2] = {{0, 0},  {0, -1}, {0, 1},  {-1, 0}, {1, 0},
-                                      {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    /* In quarters of the text's size. */
+    static const int8_t moves[][2] = {
+        {0, 0},   {0, -1},  {0, 1},  {-1, 0}, {1, 0},   {-1, -1}, {1, -1}, {-1, 1}, {1, 1},
+        {0, -2},  {0, 2},   {-2, 0}, {2, 0},  {-2, -1}, {2, -1},  {-2, 1}, {2, 1},  {-1, -2},
+        {1, -2},  {-1, 2},  {1, 2},  {-2, -2}, {2, -2}, {-2, 2},  {2, 2},
+    };
     int half_x = (int)(size.width / view_px(v, 2));
     int half_y = (int)(size.height / view_px(v, 2));
-    for (size_t i = 0; i < sizeof moves / sizeof moves[0]; i++) {
-        *out = (place){room->interior_x + moves[i][0] * half_x,
-                       room->interior_y + moves[i][1] * half_y};
-        if (is_inside(v, room->label, *out, half_x, half_y)) {
-            return 1;
+    double best = 0;
+    for (size_t i = 0; i < sizeof moves / sizeof moves[0] && best < GOOD_OWN_SHARE; i++) {
+        place at = {room->interior_x + moves[i][0] * half_x / 2,
+                    room->interior_y + moves[i][1] * half_y / 2};
+        double share = own_share(v, room->label, at, half_x, half_y);
+        if (share >= GOOD_OWN_SHARE || (best == 0 && share >= MIN_OWN_SHARE)) {
+            best = share;
+            *out = at;
         }
     }
-    return 0;
+    return best > 0;
 }
 
 /* How a label of a given height can be laid out. */

@@ -171,21 +171,23 @@ static void test_a_corridor_with_four_rooms(void)
 static void test_a_wide_opening_joins(void)
 {
     const char *const rows[] = {
-        "#############",
-        "#.....#.....#",
-        "#...........#",
-        "#...........#",
-        "#...........#",
-        "#...........#",
-        "#...........#",
-        "#############",
+        "#################",
+        "#.......#.......#",
+        "#...............#",
+        "#...............#",
+        "#...............#",
+        "#...............#",
+        "#...............#",
+        "#...............#",
+        "#...............#",
+        "#################",
         NULL,
     };
     segment(rows);
     TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
     TEST_ASSERT_EQUAL_UINT(0, r.result.doorway_count);
     run_free(&r);
-    sketch_fill(&s, 6 * SCALE, 2 * SCALE, SCALE, 3 * SCALE, 255);
+    sketch_fill(&s, 8 * SCALE, 2 * SCALE, SCALE, 5 * SCALE, 255);
     r = run_checked(&config, &s.grid);
     TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
 }
@@ -267,6 +269,56 @@ static void test_two_tiny_pieces_are_no_room(void)
     }
 }
 
+/* A room, and what its robot saw through a wide window: no walls there, only an end of sight. */
+static const char *const window_rows[] = {
+    "##############################??????????",
+    "#.............#..............#??????????",
+    "#.............#..............#??????????",
+    "#.............#..............#??????????",
+    "#............................#??????????",
+    "#............................#?????...??",
+    "#.............#..............#???......?",
+    "#.............#........................?",
+    "#.............#.........................",
+    "#.............#........................?",
+    "#.............#..............#???......?",
+    "#.............#..............#?????...??",
+    "#.............#..............#??????????",
+    "#.............#..............#??????????",
+    "#.............#..............#??????????",
+    "#.............#..............#??????????",
+    "#.............#..............#??????????",
+    "##############################??????????",
+    NULL,
+};
+
+static void test_what_was_seen_through_a_window_is_no_room(void)
+{
+    config.unwalled_percent = 0;
+    segment(window_rows);
+    TEST_ASSERT_EQUAL_UINT(3, r.result.room_count);
+    TEST_ASSERT_EQUAL_UINT(3, at(34, 8));
+    run_free(&r);
+    sketch_free(&s);
+    config.unwalled_percent = 50;
+    segment(window_rows);
+    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    TEST_ASSERT_EQUAL_UINT(1, r.result.doorway_count);
+    TEST_ASSERT_EQUAL_UINT(0, at(34, 8));
+    TEST_ASSERT_EQUAL_UINT(1, at(20, 8));
+}
+
+/* A map that marks no walls at all loses nothing. */
+static void test_a_map_without_walls_keeps_its_rooms(void)
+{
+    s = sketch_make(window_rows, SCALE, 0, RESOLUTION_MM);
+    for (size_t i = 0; i < (size_t)s.grid.stride * s.grid.height; i++) {
+        s.memory[i] = s.memory[i] == 255 ? 127 : s.memory[i];
+    }
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(3, r.result.room_count);
+}
+
 static void test_four_rooms_apart_keep_reading_order(void)
 {
     s = sketch_rooms(2, 2, 60, 0, RESOLUTION_MM);
@@ -327,6 +379,8 @@ int main(void)
     RUN_TEST(test_a_niche_joins_its_neighbour);
     RUN_TEST(test_a_small_area_apart_is_dropped);
     RUN_TEST(test_two_tiny_pieces_are_no_room);
+    RUN_TEST(test_what_was_seen_through_a_window_is_no_room);
+    RUN_TEST(test_a_map_without_walls_keeps_its_rooms);
     RUN_TEST(test_four_rooms_apart_keep_reading_order);
     RUN_TEST(test_the_resolution_does_not_matter);
     return UNITY_END();

@@ -145,6 +145,7 @@ static void test_a_large_grid_of_rooms(void)
 {
     config.max_regions = 4096;
     config.max_rooms = 1024;
+    config.unwalled_percent = 0; /* what lies beyond the grid is not known to be wall */
     s = sketch_rooms(32, 32, 127, 20, 50);
     TEST_ASSERT_EQUAL_UINT(4097, s.grid.width);
     s.grid.width = s.grid.height = 4096; /* without the last wall: the grid's edge is one */

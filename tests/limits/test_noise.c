@@ -64,11 +64,13 @@ static sketch random_grid(void)
 static roomseg_config random_config(void)
 {
     roomseg_config config = roomseg_config_default();
+    config.unwalled_percent = 0; /* so that all of an area or nothing carries labels */
     if (random_in(0, 1) == 0) {
         config.speck_mm2 = random_in(0, 300000);
         config.clutter_mm = random_in(0, ROOMSEG_MAX_CLUTTER_MM);
         config.smallest_room_mm2 = random_in(0, 3000000);
         config.isolated_permille = random_in(0, 40);
+        config.niche_mm2 = random_in(0, 3000000);
         config.room_opening_percent = random_in(1, 100);
         config.passage_opening_percent = random_in(1, 100);
         config.passage_min_neighbours = random_in(2, 8);

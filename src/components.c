@@ -8,6 +8,17 @@ typedef struct slots {
     uint32_t active_count, vacant_count;
 } slots;
 
+rs_component_limits rs_components_limits(const roomseg_config *config, uint32_t resolution_mm)
+{
+    uint32_t cell_mm2 = resolution_mm * resolution_mm;
+    rs_component_limits limits;
+
+    limits.speck_cells = (config->speck_mm2 + cell_mm2 - 1u) / cell_mm2;
+    limits.clutter_cells = config->clutter_mm / resolution_mm;
+    limits.diagonal = true; /* the free space is 4-connected: a diagonal wall is tight */
+    return limits;
+}
+
 static uint16_t find_root(rs_component *components, uint16_t slot)
 {
     while (components[slot].parent != slot) {
@@ -87,9 +98,9 @@ static void start_component(const rs_frame *frame, const rs_run *run, uint32_t y
 }
 
 /* Gives every run of row y a component: its own, joined with those of all runs above that
- * share a column with it. */
-static void join_row(const rs_frame *frame, const rs_run *above, uint32_t above_count,
-                     rs_run *runs, uint32_t count, uint32_t y, slots *s)
+ * share a column with it or, with reach 1, touch it at a corner. */
+static void join_row(const rs_frame *frame, uint32_t reach, const rs_run *above,
+                     uint32_t above_count, rs_run *runs, uint32_t count, uint32_t y, slots *s)
 {
     uint32_t i = 0;
 
@@ -97,13 +108,13 @@ static void join_row(const rs_frame *frame, const rs_run *above, uint32_t above_
         uint16_t component = take_slot(s);
 
         start_component(frame, &runs[j], y, component, &s->components[component]);
-        while (i < above_count && above[i].last < runs[j].first) {
+        while (i < above_count && above[i].last + reach < runs[j].first) {
             i++;
         }
-        while (i < above_count && above[i].first <= runs[j].last) {
+        while (i < above_count && above[i].first <= runs[j].last + reach) {
             uint16_t root = find_root(s->components, above[i].component);
             component = unite(s->components, root, find_root(s->components, component));
-            if (above[i].last > runs[j].last) {
+            if (above[i].last + reach > runs[j].last) {
                 break; /* may reach the next run too */
             }
             i++;
@@ -127,17 +138,18 @@ static bool is_small(const rs_component *c, rs_component_limits limits)
 
 /* Sets all cells of a small component to 1, from its anchor outwards. A cell enters the
  * stack once, so the stack needs no more than the component's area. */
-static void clear_component(const rs_component *c, uint32_t stride, uint8_t *surface,
-                            uint32_t *stack)
+static void clear_component(const rs_component *c, uint32_t stride, uint32_t neighbours,
+                            uint8_t *surface, uint32_t *stack)
 {
     uint32_t depth = 0;
-    const uint32_t step[4] = {1u, 0u - 1u, stride, 0u - stride}; /* modulo 2^32 */
+    const uint32_t step[8] = {1u,      0u - 1u,      stride,      0u - stride, /* modulo 2^32 */
+                              stride + 1u, stride - 1u, 1u - stride, 0u - stride - 1u};
 
     stack[depth++] = c->anchor_y * stride + c->anchor_x;
     surface[stack[0]] = 1;
     while (depth > 0u) {
         uint32_t cell = stack[--depth];
-        for (uint32_t k = 0; k < 4u; k++) {
+        for (uint32_t k = 0; k < neighbours; k++) {
             uint32_t next = cell + step[k];
             if (surface[next] == 0u) {
                 surface[next] = 1;
@@ -163,7 +175,7 @@ static void end_components(const rs_frame *frame, rs_component_limits limits, ui
             continue;
         }
         if (c->parent == slot && is_small(c, limits)) {
-            clear_component(c, frame->stride, surface, stack);
+            clear_component(c, frame->stride, limits.diagonal ? 8u : 4u, surface, stack);
         }
         s->vacant[s->vacant_count++] = slot;
     }
@@ -193,7 +205,7 @@ int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
             return ROOMSEG_ERR_CANCELLED;
         }
         count = find_runs(row, frame->stride, runs);
-        join_row(frame, above, above_count, runs, count, y, &s);
+        join_row(frame, limits.diagonal ? 1u : 0u, above, above_count, runs, count, y, &s);
         end_components(frame, limits, y, &s, surface, scratch->stack);
         swap = above;
         above = runs;

@@ -30,9 +30,13 @@ RS_STATIC_ASSERT(sizeof(rs_component) == ROOMSEG_COMPONENT_BYTES, component);
 typedef struct rs_component_limits {
     uint32_t speck_cells;   /* fewer cells than this: noise */
     uint32_t clutter_cells; /* bounding box at most this long on both sides: clutter */
+    bool diagonal;          /* cells that touch at a corner belong together */
 } rs_component_limits;
 
-/* Sets to 1 the cells of all obstacle components (surface 0, 4-connected) that are noise
+/* The config's physical sizes in cells. */
+rs_component_limits rs_components_limits(const roomseg_config *config, uint32_t resolution_mm);
+
+/* Sets to 1 the cells of all obstacle components (surface 0) that are noise
  * or clutter. Components that touch the border of the frame stay.
  * scratch: see the struct; the arrays need no preparation. */
 typedef struct rs_component_scratch {

@@ -71,9 +71,12 @@ static uint32_t push_parabola(rs_parabola *envelope, uint32_t count, uint32_t x,
 
 /* Replaces the vertical distances of the free run first..last by Euclidean ones; the cells
  * before and behind it are obstacles. */
-static void transform_run(uint8_t *row, uint32_t first, uint32_t last, rs_parabola *envelope)
+static void transform_run(uint8_t *row, uint32_t first, uint32_t last,
+                          const rs_distance_scratch *scratch)
 {
-    uint32_t count = 0, k = 0, root = 1;
+    rs_parabola *envelope = scratch->envelope;
+    const uint32_t *least = scratch->least;
+    uint32_t count = 0, k = 0, level = 1;
 
     for (uint32_t x = first - 1u; x <= last + 1u; x++) {
         count = push_parabola(envelope, count, x, row[x]);
@@ -86,21 +89,34 @@ static void transform_run(uint8_t *row, uint32_t first, uint32_t last, rs_parabo
         }
         offset = x > envelope[k].x ? x - envelope[k].x : envelope[k].x - x;
         squared = offset * offset + envelope[k].height;
-        /* Neighbours differ by at most one, so the root is followed instead of computed. */
-        while (root < RS_DISTANCE_MAX && squared >= (root + 1u) * (root + 1u)) {
-            root++;
+        /* Neighbours differ by a few levels at most, so the level is followed. */
+        while (level < RS_DISTANCE_MAX && squared >= least[level + 1u]) {
+            level++;
         }
-        while (squared < root * root) {
-            root--;
+        while (level > 1u && squared < least[level]) {
+            level--;
         }
-        row[x] = (uint8_t)root;
+        row[x] = (uint8_t)level;
     }
 }
 
-int rs_distance_run(const rs_frame *frame, uint8_t *surface, rs_parabola *envelope,
-                    rs_ticker *ticker)
+/* least[level] = smallest squared distance [cells^2] of that level, rounded up. */
+static void make_levels(uint32_t resolution_mm, uint32_t *least)
+{
+    uint32_t divisor = resolution_mm * resolution_mm; /* <= 40,000 */
+
+    for (uint32_t level = 0; level <= RS_DISTANCE_MAX; level++) {
+        uint32_t distance_mm = level * RS_DISTANCE_UNIT_MM; /* <= 10,200 */
+        least[level] = (distance_mm * distance_mm + divisor - 1u) / divisor;
+    }
+}
+
+int rs_distance_run(const rs_frame *frame, uint32_t resolution_mm, uint8_t *surface,
+                    const rs_distance_scratch *scratch, rs_ticker *ticker)
 {
     int status = vertical_distances(frame, surface, ticker);
+
+    make_levels(resolution_mm, scratch->least);
 
     for (uint32_t y = 1; status == ROOMSEG_OK && y <= frame->height; y++) {
         uint8_t *row = surface + (size_t)y * frame->stride;
@@ -119,7 +135,7 @@ int rs_distance_run(const rs_frame *frame, uint8_t *surface, rs_parabola *envelo
                 x++;
             }
             if (x > first) {
-                transform_run(row, first, x - 1u, envelope);
+                transform_run(row, first, x - 1u, scratch);
             }
         }
     }

@@ -13,15 +13,22 @@ typedef struct rs_parabola {
 
 RS_STATIC_ASSERT(sizeof(rs_parabola) == 8u, parabola);
 
-/* surface: bordered, 0 = obstacle, else free; the border must be 0. Each free cell becomes
- * the Euclidean distance between its centre and the nearest obstacle cell's centre, rounded
- * down to whole cells, 1..RS_DISTANCE_MAX (saturating).
- * Exact up to the rounding. Separable lower envelope of parabolas: Meijster, Roerdink,
- * Hesselink, "A general algorithm for computing distance transforms in linear time", 2000.
- * envelope: frame->stride elements of scratch. */
+/* Distances are stored in steps of 40 mm: fine enough for doors, and 255 steps reach to
+ * the middle of a hall of 20 m. */
+#define RS_DISTANCE_UNIT_MM 40u
 #define RS_DISTANCE_MAX 255u
 
-int rs_distance_run(const rs_frame *frame, uint8_t *surface, rs_parabola *envelope,
-                    rs_ticker *ticker);
+typedef struct rs_distance_scratch {
+    rs_parabola *envelope; /* frame->stride */
+    uint32_t *least;       /* RS_DISTANCE_MAX + 1 */
+} rs_distance_scratch;
+
+/* surface: bordered, 0 = obstacle, else free; the border must be 0. Each free cell becomes
+ * the Euclidean distance from its centre to the nearest obstacle cell's centre, rounded down
+ * to whole units of RS_DISTANCE_UNIT_MM, 1..RS_DISTANCE_MAX (both ends saturate).
+ * Exact up to the rounding. Separable lower envelope of parabolas: Meijster, Roerdink,
+ * Hesselink, "A general algorithm for computing distance transforms in linear time", 2000. */
+int rs_distance_run(const rs_frame *frame, uint32_t resolution_mm, uint8_t *surface,
+                    const rs_distance_scratch *scratch, rs_ticker *ticker);
 
 #endif

@@ -14,7 +14,7 @@ typedef struct rs_region {
     uint32_t walls;          /* those of them whose obstacle is certain */
     uint16_t peak_x, peak_y; /* the one of the greatest distance, crop coordinates */
     uint16_t parent;         /* region it was merged into; its own label: a root */
-    uint16_t peak;           /* that greatest distance [cells] */
+    uint16_t peak;           /* that greatest distance [RS_DISTANCE_UNIT_MM] */
     uint16_t room;           /* label of the room it belongs to; 0: none */
     uint16_t unused;
 } rs_region;
@@ -25,7 +25,7 @@ typedef struct rs_edge {
     uint16_t a, b;      /* labels, a < b */
     uint16_t x, y;      /* where the opening is widest, crop coordinates */
     uint32_t saddle;    /* greatest, over the shared border, of the smaller of the distances
-                           on both sides [cells] */
+                           on both sides [RS_DISTANCE_UNIT_MM] */
     uint32_t border;    /* shared border [pairs of 4-adjacent cells] */
     uint32_t next[2];   /* next half-edge in the lists of a and b */
 } rs_edge;

@@ -16,7 +16,7 @@
 typedef struct rs_buffers {
     uint8_t *surface;
     rs_component_scratch components;
-    rs_parabola *envelope;
+    rs_distance_scratch distance;
     rs_queue_list *queue_lists;
     rs_queue_block *queue_blocks;
     uint32_t queue_block_count;
@@ -40,7 +40,8 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->components.active = AT(active);
     b->components.vacant = AT(vacant);
     b->components.stack = AT(stack);
-    b->envelope = AT(envelope);
+    b->distance.envelope = AT(envelope);
+    b->distance.least = AT(levels);
     b->queue_lists = AT(queue_lists);
     b->queue_blocks = AT(queue_blocks);
     b->queue_block_count = (uint32_t)ROOMSEG_PLAN_QUEUE_BLOCKS(frame->width, frame->height);
@@ -62,16 +63,6 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
 }
 
 /* The config's physical sizes in cells. */
-static rs_component_limits component_limits(const roomseg_config *config, uint32_t resolution_mm)
-{
-    uint32_t cell_mm2 = resolution_mm * resolution_mm;
-    rs_component_limits limits;
-
-    limits.speck_cells = (config->speck_mm2 + cell_mm2 - 1u) / cell_mm2;
-    limits.clutter_cells = config->clutter_mm / resolution_mm;
-    return limits;
-}
-
 static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
 {
     return area_mm2 / cell_mm2 + (area_mm2 % cell_mm2 != 0u); /* rounded up */
@@ -109,9 +100,9 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     int status;
 
     status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);
-    STAGE(COMPONENTS, rs_components_clear_small(frame, component_limits(config, mm), b->surface,
+    STAGE(COMPONENTS, rs_components_clear_small(frame, rs_components_limits(config, mm), b->surface,
                                                 &b->components, ticker));
-    STAGE(SURFACE, rs_distance_run(frame, b->surface, b->envelope, ticker));
+    STAGE(SURFACE, rs_distance_run(frame, mm, b->surface, &b->distance, ticker));
     if (status == ROOMSEG_OK) {
         rs_queue_init(&queue, b->queue_lists, b->queue_blocks, b->queue_block_count);
     }

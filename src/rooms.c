@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "distance.h"
 #include "merge.h"
 
 /* Roots in falling order of area; equal areas in reading order. The rooms' link_first
@@ -110,9 +111,11 @@ static void finish_room(const rs_frame *frame, uint32_t resolution_mm, const rs_
     room->max_y = (uint16_t)(room->max_y + frame->y);
     room->interior_x = (uint16_t)(region->peak_x + frame->x);
     room->interior_y = (uint16_t)(region->peak_y + frame->y);
-    /* From the cell's centre to the obstacle cell's near edge. */
+    /* From the cell's centre to the obstacle cell's near edge; the rounding of the distance
+     * is below one unit and the smallest distance one cell, so nothing falls below 0. */
     room->inscribed_radius_mm =
-        (uint16_t)rs_min_u32((2u * region->peak - 1u) * resolution_mm / 2u, UINT16_MAX);
+        (uint16_t)(rs_max_u32(region->peak * RS_DISTANCE_UNIT_MM, resolution_mm) -
+                   resolution_mm / 2u);
 }
 
 int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
@@ -145,7 +148,9 @@ static bool add_edge_to_doorways(const rs_frame *frame, uint32_t resolution_mm,
                                  rs_room_records *records)
 {
     roomseg_doorway *door = records->doorways + records->doorway_count;
-    uint32_t width_mm = (2u * edge->saddle - 1u) * resolution_mm;
+    /* Distances run from centre to centre; one cell of them lies within the obstacles. */
+    uint32_t width_mm =
+        2u * rs_max_u32(edge->saddle * RS_DISTANCE_UNIT_MM, resolution_mm) - resolution_mm;
     bool same = records->doorway_count > 0u && door[-1].room_a == room_a &&
                 door[-1].room_b == room_b;
 

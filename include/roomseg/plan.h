@@ -63,6 +63,7 @@
     X(S, vacant, 2u, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                                             \
     X(S, stack, 4u, (size_t)(small), 1, 1)                                                        \
     X(S, envelope, 8u, (size_t)(w) + 2u, 2, 2)                                                    \
+    X(S, levels, 4u, 256u, 2, 2)                                                                  \
     X(S, queue_lists, 1u, ROOMSEG_QUEUE_LISTS_BYTES, 3, 3)                                        \
     X(S, queue_blocks, ROOMSEG_QUEUE_BLOCK_BYTES, ROOMSEG_PLAN_QUEUE_BLOCKS(w, h), 3, 3)          \
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 4, 6)                         \
@@ -77,16 +78,16 @@
 /* Alignment (config.align): first the direction of the walls is found; then, in the same
  * bytes, the profile runs on the turned grid, and its labels are turned back and measured.
  *
- *          stage   MASK EDGES LINES    TURNED MASK CARRY DISTANCE GRAPH ROOMS
- *   mask           ################                                    (1 byte a cell)
- *   points              ###########                                    (4 bytes a cell)
+ *          stage   MASK EDGES LINES    TURNED DROPPED MASK CARRY DISTANCE GRAPH ROOMS
+ *   mask           ################                                     (1 byte a cell)
+ *   points              ###########                                     (4 bytes a cell)
  *   votes                     #####
- *   turned_labels                      #################               (2 bytes a cell)
- *   turned_cells                       ######                          (1 byte a cell)
- *   inner                              ######                          (profile's arena)
- *   surface                                   ######################## (1 byte a cell)
- *   graph                                                     ########
- *   records                                                        ### */
+ *   turned_labels                      #########################        (2 bytes a cell)
+ *   turned_cells                       ##############                   (1 byte a cell)
+ *   turned_arena                       ######                           (profile's arena)
+ *   surface                                           ######################## (1 byte a cell)
+ *   graph                                                            ########
+ *   records                                                                ### */
 #define ROOMSEG_CANNY_ROWS 31u
 #define ROOMSEG_HOUGH_ANGLES 180u
 #define ROOMSEG_DIRECTION_BINS 90u
@@ -99,8 +100,6 @@
  * none takes more cells, with and without border. */
 #define ROOMSEG_PLAN_TURNED_WIDTH(w, h) ((size_t)(w) + (h) + 2u)
 #define ROOMSEG_PLAN_TURNED_HEIGHT(w, h) (((size_t)(w) + (h) + 3u) / 2u)
-#define ROOMSEG_PLAN_TURNED_CELLS(w, h) \
-    (ROOMSEG_PLAN_TURNED_WIDTH(w, h) * ROOMSEG_PLAN_TURNED_HEIGHT(w, h))
 
 /* The scratch of COMPONENTS as one buffer. */
 #define ROOMSEG_PLAN_SMALL_BYTES(w, small)                                        \
@@ -117,25 +116,31 @@
     X(S, normals, ROOMSEG_NORMAL_BYTES, (size_t)ROOMSEG_HOUGH_ANGLES, 2, 2)               \
     X(S, bins, ROOMSEG_DIRECTION_BIN_BYTES, (size_t)ROOMSEG_DIRECTION_BINS, 2, 2)
 
-/* inner: the profile's arena for a crop of ROOMSEG_PLAN_TURNED_WIDTH x _HEIGHT [bytes]. */
-#define ROOMSEG_PLAN_TURN_TABLE(X, S, w, h, small, max_rooms, inner)                      \
-    X(S, turned_labels, 2u, ROOMSEG_PLAN_TURNED_CELLS(w, h), 0, 2)                        \
-    X(S, anchors, 4u, (size_t)(max_rooms), 0, 2)                                          \
-    X(S, turned_cells, 1u, ROOMSEG_PLAN_TURNED_CELLS(w, h), 0, 0)                         \
-    X(S, inner, 1u, inner, 0, 0)                                                          \
-    X(S, surface, 1u, ROOMSEG_PLAN_CELLS(w, h), 1, 5)                                     \
-    X(S, small_scratch, 1u, ROOMSEG_PLAN_SMALL_BYTES(w, small), 1, 1)                     \
-    X(S, queue_lists, 1u, ROOMSEG_QUEUE_LISTS_BYTES, 2, 2)                                \
-    X(S, queue_blocks, ROOMSEG_QUEUE_BLOCK_BYTES, ROOMSEG_PLAN_QUEUE_BLOCKS(w, h), 2, 2)  \
-    X(S, envelope, 8u, (size_t)(w) + 2u, 3, 3)                                            \
-    X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_rooms) + 1u, 4, 5)                   \
-    X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 4, 5)                  \
-    X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_rooms), 4, 4)                                  \
-    X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 5, 5)              \
-    X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 5, 5)                            \
-    X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 5, 5)                    \
-    X(S, doorways, ROOMSEG_DOORWAY_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 5, 5)            \
-    X(S, links, 2u, 2u * ROOMSEG_PLAN_EDGES(max_rooms), 5, 5)
+/* The queue's lists and blocks as one buffer. */
+#define ROOMSEG_PLAN_QUEUE_BYTES(w, h) \
+    (ROOMSEG_QUEUE_LISTS_BYTES + ROOMSEG_QUEUE_BLOCK_BYTES * ROOMSEG_PLAN_QUEUE_BLOCKS(w, h))
+
+/* tw, th: ROOMSEG_PLAN_TURNED_WIDTH and _HEIGHT; inner: the profile's arena for a crop of
+ * tw x th cells [bytes]. */
+#define ROOMSEG_PLAN_TURN_TABLE(X, S, w, h, tw, th, small, max_rooms, inner)              \
+    X(S, turned_labels, 2u, (size_t)(tw) * (th), 0, 3)                                    \
+    X(S, anchors, 4u, (size_t)(max_rooms), 0, 3)                                          \
+    X(S, turned_cells, 1u, ROOMSEG_PLAN_CELLS(tw, th), 0, 1)                              \
+    X(S, turned_arena, 1u, inner, 0, 0)                                                   \
+    X(S, turned_queue, 1u, ROOMSEG_PLAN_QUEUE_BYTES(tw, th), 1, 1)                        \
+    X(S, surface, 1u, ROOMSEG_PLAN_CELLS(w, h), 2, 6)                                     \
+    X(S, small_scratch, 1u, ROOMSEG_PLAN_SMALL_BYTES(w, small), 2, 2)                     \
+    X(S, queue, 1u, ROOMSEG_PLAN_QUEUE_BYTES(w, h), 3, 3)                                 \
+    X(S, envelope, 8u, (size_t)(w) + 2u, 4, 4)                                            \
+    X(S, levels, 4u, 256u, 4, 4)                                                          \
+    X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_rooms) + 1u, 5, 6)                   \
+    X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 5, 6)                  \
+    X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_rooms), 5, 5)                                  \
+    X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)              \
+    X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                            \
+    X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 6, 6)                    \
+    X(S, doorways, ROOMSEG_DOORWAY_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)            \
+    X(S, links, 2u, 2u * ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)
 
 /* Every buffer starts at a multiple of 8 bytes. */
 #define ROOMSEG_PLAN_ALIGN(bytes) (((bytes) + 7u) / 8u * 8u)
@@ -170,18 +175,19 @@
 #define ROOMSEG_ARENA_SIZE_DEFAULT(w, h, resolution_mm)                                  \
     ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 640u, resolution_mm), 1024u, 255u)
 
-/* The same with config.align set. For a profile whose ROOMSEG_ARENA_SIZE macro gives `inner`
- * for w = ROOMSEG_PLAN_TURNED_WIDTH and h = _HEIGHT of the crop; its plan must hold all that
- * is alive in GRAPH and ROOMS above, as those of both profiles do. */
+/* The same with config.align set; inner: what the profile's macro gives for w =
+ * ROOMSEG_PLAN_TURNED_WIDTH and h = ROOMSEG_PLAN_TURNED_HEIGHT of the crop. */
 #define ROOMSEG_PLAN_FIND_AT(stage, w, h, small) \
     ((size_t)0 ROOMSEG_PLAN_FIND_TABLE(ROOMSEG_PLAN_ALIVE, stage, w, h, small))
-#define ROOMSEG_PLAN_TURN_AT(stage, w, h, small, rooms, inner) \
-    ((size_t)0 ROOMSEG_PLAN_TURN_TABLE(ROOMSEG_PLAN_ALIVE, stage, w, h, small, rooms, inner))
-#define ROOMSEG_ARENA_SIZE_ALIGNED(w, h, small, rooms, inner)             \
-    ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_TURN_AT(0, w, h, small, rooms, inner),  \
-                     ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_FIND_AT(0, w, h, small), \
-                                      ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_FIND_AT(1, w, h, small), \
-                                                       ROOMSEG_PLAN_FIND_AT(2, w, h, small))))
+#define ROOMSEG_PLAN_TURN_AT(stage, w, h, small, rooms, inner)                             \
+    ((size_t)0 ROOMSEG_PLAN_TURN_TABLE(ROOMSEG_PLAN_ALIVE, stage, w, h,                    \
+                                       ROOMSEG_PLAN_TURNED_WIDTH(w, h),                    \
+                                       ROOMSEG_PLAN_TURNED_HEIGHT(w, h), small, rooms, inner))
+#define ROOMSEG_ARENA_SIZE_ALIGNED(w, h, small, rooms, inner)                       \
+    ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_FIND_AT(0, w, h, small),         \
+                                      ROOMSEG_PLAN_FIND_AT(1, w, h, small)),        \
+                     ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_FIND_AT(2, w, h, small),         \
+                                      ROOMSEG_PLAN_TURN_AT(0, w, h, small, rooms, inner)))
 
 /* The default profile's parameters and ROOMSEG_ALIGN_ON. */
 #define ROOMSEG_ARENA_SIZE_DEFAULT_ALIGNED(w, h, resolution_mm)                              \

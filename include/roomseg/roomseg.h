@@ -74,12 +74,14 @@ const char *roomseg_status_text(int status);
 /* Stages of a run in the order in which they are carried out. */
 typedef enum roomseg_stage {
     ROOMSEG_STAGE_THRESHOLD = 0, /* grid -> free/occupied cells of the crop */
+    ROOMSEG_STAGE_ALIGN,         /* direction of the walls, grid turned; with config.align */
     ROOMSEG_STAGE_COMPONENTS,    /* specks dropped, clutter made transparent */
     ROOMSEG_STAGE_SURFACE,       /* how deep inside the free space each cell lies */
     ROOMSEG_STAGE_WATERSHED,     /* one region per peak of the surface */
     ROOMSEG_STAGE_GRAPH,         /* region adjacency graph */
     ROOMSEG_STAGE_MERGE,         /* regions -> rooms */
     ROOMSEG_STAGE_ROOMS,         /* labels and records written */
+    ROOMSEG_STAGE_TURN_BACK,     /* labels and records of the caller's grid, if it was turned */
     ROOMSEG_STAGE_COUNT
 } roomseg_stage;
 
@@ -108,9 +110,21 @@ typedef struct roomseg_profile roomseg_profile;
 extern const roomseg_profile roomseg_profile_default;
 #define ROOMSEG_PROFILE_DEFAULT (&roomseg_profile_default)
 
+/* Alignment: the grid is turned until its walls lie along the axes, segmented, and the labels
+ * are turned back. Named only where it is wanted, so that the linker drops it elsewhere. */
+typedef struct roomseg_aligner roomseg_aligner;
+extern const roomseg_aligner roomseg_aligner_on;
+#define ROOMSEG_ALIGN_ON (&roomseg_aligner_on)
+
 /* Take a ready set from roomseg_config_default() and change single fields. */
 typedef struct roomseg_config {
     const roomseg_profile *profile; /* one of the ROOMSEG_PROFILE_ constants, not NULL */
+
+    /* NULL: the grid is taken as it lies; default. ROOMSEG_ALIGN_ON: walls are brought into
+     * line with the axes first. Takes more memory (ROOMSEG_ARENA_SIZE_ALIGNED) and time, and
+     * halves the largest crop: (width + height + 2)^2 / 2 <= ROOMSEG_MAX_CROP_CELLS. Labels
+     * and records are those of the caller's grid all the same. */
+    const roomseg_aligner *align;
 
     /* A cell is free when its value is at most free_max, else it is an obstacle (unknown
      * cells too). From occupied_min on an obstacle is certain: such a cell never carries a
@@ -119,8 +133,8 @@ typedef struct roomseg_config {
     uint8_t free_max;
     uint8_t occupied_min;
 
-    /* Obstacles smaller than this are noise and do not shape the rooms. Area of a
-     * 4-connected component [mm2], 0 (keep all)..ROOMSEG_MAX_SPECK_MM2; default 96,000 =
+    /* Obstacles smaller than this are noise and do not shape the rooms. Area of an
+     * 8-connected component [mm2], 0 (keep all)..ROOMSEG_MAX_SPECK_MM2; default 96,000 =
      * 60 cells of 4 cm. Their cells below occupied_min carry the label of the room around. */
     uint32_t speck_mm2;
 
@@ -207,6 +221,9 @@ typedef struct roomseg_result {
     uint32_t region_count;           /* regions before merging, for tuning max_regions */
     uint16_t crop_x, crop_y;         /* the crop's first cell in the grid ... */
     uint16_t crop_width, crop_height; /* ... and size; all 0 when no cell is free */
+    int32_t wall_angle;              /* with config.align: direction of most walls, from the x
+                                        axis towards the y axis, -4500..4499 hundredths of a
+                                        degree; below 50 either way the grid was not turned */
     size_t arena_used;               /* bytes of the arena that this run needed */
 } roomseg_result;
 

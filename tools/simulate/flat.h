@@ -75,6 +75,9 @@ void flat_layout(flat *f, flat_size size, rng *r);
  * cannot be reached become void. */
 void flat_connect(flat *f, rng *r);
 
+/* Moves sides of rooms inwards that have no opening: closets, shafts, a jagged outline. */
+void flat_set_back(flat *f, rng *r);
+
 /* Sets windows and the front door. */
 void flat_open_outwards(flat *f, rng *r);
 

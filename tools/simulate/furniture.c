@@ -225,7 +225,8 @@ static const wish wishes[] = {
     {PART_KITCHEN, PIECE_ISLAND, 400, 1},     {PART_KITCHEN, PIECE_DINING_SET, 300, 1},
     {PART_KITCHEN, PIECE_CABINET, 400, 1},    {PART_BED, PIECE_BED, 950, 1},
     {PART_BED, PIECE_CABINET, 700, 3},        {PART_BED, PIECE_DESK, 300, 1},
-    {PART_BED, PIECE_RACK, 120, 1},           {PART_BED, PIECE_SHELF, 400, 1},          {PART_BED, PIECE_CHAIR, 300, 1},
+    {PART_BED, PIECE_SHELF, 400, 1},          {PART_BED, PIECE_CHAIR, 300, 1},
+    {PART_BED, PIECE_RACK, 120, 1},
     {PART_BATH, PIECE_TUB, 550, 1},           {PART_BATH, PIECE_SHOWER, 450, 1},
     {PART_BATH, PIECE_TOILET, 900, 1},        {PART_BATH, PIECE_SINK, 900, 1},
     {PART_STUDY, PIECE_DESK, 950, 2},         {PART_STUDY, PIECE_SHELF, 700, 3},
@@ -240,7 +241,7 @@ static void put_loose_things(placer *p, part_kind kind) {
     static const piece_kind kinds[] = {PIECE_JUNK, PIECE_JUNK, PIECE_JUNK, PIECE_TOYS,
                                        PIECE_BOX,  PIECE_CHAIR, PIECE_TOYS, PIECE_PLANT};
     int area_dm2 = (p->floor.x1 - p->floor.x0) * (p->floor.y1 - p->floor.y0) / 100;
-    int most = area_dm2 * p->clutter / 8000;
+    int most = area_dm2 * p->clutter / 7500;
     for (int n = rng_range(&p->r, most / 2, most + 1); n > 0 && p->clutter > 0; n--) {
         piece_kind piece = kinds[rng_range(&p->r, 0, 7)];
         put_piece(p, kind == PART_HALL ? PIECE_JUNK : piece);

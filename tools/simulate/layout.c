@@ -185,7 +185,7 @@ static void carve_corners(flat *f, rng *r) {
         part *p = &f->parts[i];
         int fits = p->kind != PART_HALL && corners_touched(f, p->area) == 1 &&
                    area_of(p->area) < total / 6;
-        if (fits && rng_chance(r, 300)) {
+        if (fits && rng_chance(r, 420)) {
             p->kind = PART_VOID;
         }
     }

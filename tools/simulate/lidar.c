@@ -5,12 +5,12 @@
 enum {
     MM_PER_STEP = 10,   /* the beam is followed in steps of one pixel */
     BLIND_MM = 120,     /* closer than this nothing is measured */
-    GLASS_PASS = 280,   /* share of beams that pass glass [permille] */
+    GLASS_PASS = 220,   /* share of beams that pass glass [permille] */
     GLASS_BACK = 450,   /* share of the others that come back */
     DARK_BACK = 300,
     CRACK_SLIP = 100,
-    SLIP_SHORT = 900,   /* share of slips that end soon [permille] */
-    HAZE_BACK = 25,     /* for each cm on the way through */
+    SLIP_SHORT = 930,   /* share of slips that end soon [permille] */
+    HAZE_BACK = 60,     /* for each cm on the way through */
     RUG_BACK = 1,
     SIGMA_BASE_MM = 3,  /* standard deviation of a range: base + permille of it */
     SIGMA_PERMILLE = 4
@@ -23,7 +23,7 @@ typedef enum fate { FATE_ON, FATE_BACK, FATE_LOST, FATE_SLIPPED } fate;
 static fate meet(material m, int *in_glass, rng *r) {
     switch (m) {
     case MAT_RUG:
-        return rng_chance(r, RUG_BACK) && rng_chance(r, 350) ? FATE_BACK : FATE_ON;
+        return rng_chance(r, RUG_BACK) ? FATE_BACK : FATE_ON;
     case MAT_HAZE:
         return rng_chance(r, HAZE_BACK) ? FATE_BACK : FATE_ON;
     case MAT_GLASS:

@@ -169,7 +169,7 @@ static int map_flat(const sim_options *o, const flat *f, const world *w, const r
     for (size_t i = 0; i < way->count; i++) {
         slam_scan(&s, w, way->stops[i][0], way->stops[i][1]);
     }
-    slam_finish_truth(&s, w);
+    slam_finish_truth(&s);
     box b = known_box(&s);
     int start_x = 0;
     int start_y = 0;
@@ -199,6 +199,7 @@ static void plan_flat(flat *f, const sim_options *o) {
         flat_layout(f, o->size, &r);
         flat_connect(f, &r);
     } while (f->room_count < MIN_ROOMS);
+    flat_set_back(f, &r);
     flat_open_outwards(f, &r);
 }
 

@@ -24,11 +24,11 @@ sim_options sim_options_default(void);
 typedef struct sim_map {
     uint32_t width, height;
     uint8_t *cells; /* 0 free .. 255 occupied, 128 unknown; row 0 = top; owned */
-    /* True rooms 1..room_count, 0 = no room. Every cell of floor in a room that the robot
-     * has entered, furnished or not: what stands in a room belongs to it. The floor of a
-     * passage is halved between its rooms. Walls, the outside and rooms behind shut doors
-     * are 0. Where a cell was seen, the room is the one in which the beams that crossed it
-     * really were, whatever the map's errors. */
+    /* True rooms 1..room_count, 0 = no room. Cells that the map shows as free (up to 63)
+     * have the room in which most of the beams that crossed them really were, whatever the
+     * map's errors; the floor of a passage is halved between its rooms. Cells that are not
+     * free are 0, furniture as well as walls, as there is nothing to label; so are free
+     * cells outside the flat and in rooms that the robot has not entered. */
     uint8_t *truth; /* owned */
     int room_count;
     int resolution_mm;

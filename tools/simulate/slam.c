@@ -8,7 +8,7 @@
 enum {
     ONE = 65536,
     HIT = 30,           /* what a beam's end adds to a cell, */
-    HIT_AGAIN = 70,     /* and to one that was hit more often than crossed so far */
+    HIT_AGAIN = 110,    /* and to one that was hit more often than crossed so far */
     MISS_NEAR = 8,      /* what a beam takes off the cells that it crosses: near the robot, */
     MISS_FAR = 2,       /* and at the laser's full range */
     WARP_MM = 45,       /* largest displacement of a node of the warp, at noise 50 */
@@ -17,7 +17,7 @@ enum {
     DRIFT_STEP_TURN = 5,
     JITTER_TURN = 25,   /* of each beam: 0.14 degrees */
     SHY_MM = 70,        /* so close before its end, a beam hardly frees a cell */
-    TILTS = 18,         /* scans that look at the floor, on a doorstep or a rug [permille] */
+    TILTS = 45,         /* scans that look at the floor, on a doorstep or a rug [permille] */
     MARGIN_CELLS = 4
 };
 
@@ -119,15 +119,6 @@ static position to_grid(const slam *s, int64_t x, int64_t y) {
     int64_t gy = (rx * s->sin_turn + ry * s->cos_turn) / ONE * 10 / s->resolution_mm;
     return (position){(int32_t)(gx + (int64_t)s->width * ONE / 2),
                       (int32_t)(gy + (int64_t)s->height * ONE / 2)};
-}
-
-/* The other way round, cell centre to world. */
-static position to_world(const slam *s, int column, int row) {
-    int64_t gx = ((int64_t)column * 2 + 1 - s->width) * ONE / 2 * s->resolution_mm / 10;
-    int64_t gy = ((int64_t)row * 2 + 1 - s->height) * ONE / 2 * s->resolution_mm / 10;
-    int64_t x = (gx * s->cos_turn + gy * s->sin_turn) / ONE + (int64_t)s->centre_x * ONE;
-    int64_t y = (gy * s->cos_turn - gx * s->sin_turn) / ONE + (int64_t)s->centre_y * ONE;
-    return (position){(int32_t)x, (int32_t)y};
 }
 
 static int room_at(const world *w, position p) {
@@ -259,21 +250,11 @@ void slam_scan(slam *s, const world *w, int x, int y) {
     }
 }
 
-void slam_finish_truth(slam *s, const world *w) {
-    for (int row = 0; row < s->height; row++) {
-        for (int column = 0; column < s->width; column++) {
-            size_t cell = (size_t)row * (size_t)s->width + (size_t)column;
-            position p = to_world(s, column, row);
-            int64_t limit_x = (int64_t)w->width * ONE;
-            int64_t limit_y = (int64_t)w->height * ONE;
-            if (s->weights[cell] > 0 || p.x < 0 || p.y < 0 || p.x >= limit_x ||
-                p.y >= limit_y) {
-                continue;
-            }
-            shift warp = warp_at(s, p);
-            p.x -= warp.x;
-            p.y -= warp.y;
-            s->truth[cell] = (uint8_t)room_at(w, p);
+void slam_finish_truth(slam *s) {
+    size_t count = (size_t)s->width * (size_t)s->height;
+    for (size_t cell = 0; cell < count; cell++) {
+        if (s->cells[cell] > SLAM_FREE) {
+            s->truth[cell] = 0;
         }
     }
 }

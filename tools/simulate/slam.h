@@ -14,6 +14,9 @@
 /* Cells that no beam has crossed. */
 #define SLAM_UNKNOWN 128
 
+/* Cells up to this value count as free: a quarter of full occupancy. */
+#define SLAM_FREE 63
+
 typedef struct slam {
     int width, height; /* cells */
     int resolution_mm;
@@ -42,8 +45,8 @@ void slam_free(slam *s);
 /* One turn of the laser at (x, y) [cm]. */
 void slam_scan(slam *s, const world *w, int x, int y);
 
-/* Cells that no beam crossed take their true room from where they lie in the world. */
-void slam_finish_truth(slam *s, const world *w);
+/* Takes the true room from the cells that are not free in the map. */
+void slam_finish_truth(slam *s);
 
 /* The cell in which the robot believes to be at (x, y) [cm], without passing drift. */
 void slam_cell_of(const slam *s, int x, int y, int *column, int *row);

@@ -215,8 +215,8 @@ static void draw_spots(const flat *f, world *w, rng *r, int index) {
     const int lines[4] = {a.x0, a.x1, a.y0, a.y1};
     for (int side = 0; side < 4; side++) {
         int upright = side < 2;
-        for (int n = rng_range(r, 0, 7); n > 0; n--) {
-            int wide = rng_range(r, 3, 8);
+        for (int n = rng_range(r, 0, 9); n > 0; n--) {
+            int wide = rng_range(r, 2, 6);
             opening spot = {.upright = upright, .line = lines[side]};
             spot.from = upright ? rng_range(r, b.y0, b.y1 - wide) : rng_range(r, b.x0, b.x1 - wide);
             spot.to = spot.from + wide;

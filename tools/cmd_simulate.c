@@ -24,8 +24,8 @@ static const char USAGE[] =
     "  --resolution M  edge of a cell, 0.02..0.2 m; default 0.05\n"
     "  --rotate DEG    turns the flat in the map counter-clockwise, -360..360; default: by\n"
     "                  the seed, mostly little\n"
-    "What stands in a room belongs to it in the truth; the floor of a doorway is halved\n"
-    "between its rooms; rooms behind shut doors are none.\n";
+    "The truth covers the cells that the map shows as free (up to 63). The floor of a doorway\n"
+    "is halved between its rooms; what is seen through windows and shut rooms is 0.\n";
 
 typedef struct simulate_options {
     const char *seed, *resolution, *size, *rotate, *clutter, *noise, *folder;

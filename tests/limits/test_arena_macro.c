@@ -8,8 +8,9 @@
 #include "unity.h"
 
 /* Integer constant expressions: file-scope arrays would not compile otherwise. */
-static uint8_t small_arena[ROOMSEG_ARENA_SIZE_DEFAULT(120, 90, 50)];
-static uint8_t tight_arena[ROOMSEG_ARENA_SIZE(62, 62, ROOMSEG_PLAN_SMALL(0, 0, 50), 8, 4)];
+static uint64_t roomy_arena[ROOMSEG_ARENA_SIZE_DEFAULT(120, 90, 50) / 8];
+static uint64_t tight_arena[ROOMSEG_ARENA_SIZE(61, 61, ROOMSEG_PLAN_SMALL(0, 0, 50), 8, 4) / 8];
+static uint16_t labels[122 * 92];
 
 static roomseg_config config;
 
@@ -33,17 +34,29 @@ static void expect_equal(uint32_t width, uint32_t height, uint32_t resolution_mm
     TEST_ASSERT_EQUAL_size_t(0, macro % ROOMSEG_ARENA_ALIGN);
 }
 
-static void test_constant_expressions(void)
+/* A static arena holds exactly the size, and serves a map of the size it is made for. */
+static void run_in_static_arena(uint32_t width, uint32_t height, void *arena, size_t size)
 {
     size_t query;
-    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, 120, 90, 50, &query));
-    TEST_ASSERT_EQUAL_size_t(query, sizeof small_arena);
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, width, height, 50, &query));
+    TEST_ASSERT_EQUAL_size_t(query, size);
+    sketch s = sketch_blank(width + 2, height + 2, 255, 50);
+    sketch_fill(&s, 1, 1, width, height, 0);
+    roomseg_result result;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_run(&config, &s.grid, labels, s.grid.width,
+                                                  &result, arena, size));
+    TEST_ASSERT_EQUAL_UINT(1, result.room_count);
+    sketch_free(&s);
+}
+
+static void test_constant_expressions(void)
+{
+    run_in_static_arena(120, 90, roomy_arena, sizeof roomy_arena);
     config.speck_mm2 = 0;
     config.clutter_mm = 0;
     config.max_regions = 8;
     config.max_rooms = 4;
-    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, 62, 62, 50, &query));
-    TEST_ASSERT_EQUAL_size_t(query, sizeof tight_arena);
+    run_in_static_arena(61, 61, tight_arena, sizeof tight_arena);
 }
 
 static void test_widths_and_heights(void)

@@ -18,14 +18,29 @@ typedef struct window {
     const rs_frame *frame;
     uint8_t *mask;
     uint32_t length;
-    uint32_t *sum;           /* one row of 32 bits */
-    uint16_t *across[TAPS];  /* blurred along the row, Q15; [0] is the uppermost */
-    uint16_t *smooth[3];     /* blurred both ways, Q14 */
-    uint16_t *magnitude[3];  /* of the gradient, Q14 */
-    int16_t *gx[3], *gy[3];  /* gradient, Q14: below 4 * 0.395 * 2^14 < 2^15, because two
-                                neighbours of the blurred mask but one differ by 0.395 at
-                                most */
+    uint32_t *sum;          /* one row of 32 bits */
+    uint16_t *across[TAPS]; /* blurred along the row, Q15; [0] is the uppermost */
+    uint16_t *smooth[3];    /* blurred both ways, Q14 */
+    uint16_t *slope[3];     /* SLOPE_PARTS rows each */
 } window;
+
+/* What is kept of a row's gradient, Q14. The parts along x and y are below
+ * 4 * 0.395 * 2^14 < 2^15, because cells two apart in the blurred mask differ by at most
+ * 0.395. */
+#define SLOPE_PARTS 3u
+
+static uint16_t *magnitude_of(const window *w, uint32_t row)
+{
+    return w->slope[row];
+}
+static int16_t *gx_of(const window *w, uint32_t row)
+{
+    return (int16_t *)(w->slope[row] + w->length);
+}
+static int16_t *gy_of(const window *w, uint32_t row)
+{
+    return (int16_t *)(w->slope[row] + 2u * (size_t)w->length);
+}
 
 static void make_window(const rs_frame *frame, uint8_t *mask, uint16_t *rows, window *w)
 {
@@ -40,20 +55,20 @@ static void make_window(const rs_frame *frame, uint8_t *mask, uint16_t *rows, wi
     for (uint32_t i = 0; i < TAPS; i++, rows += length) {
         w->across[i] = rows;
     }
-    for (uint32_t i = 0; i < 3u; i++, rows += 4u * (size_t)length) {
+    for (uint32_t i = 0; i < 3u; i++, rows += (1u + SLOPE_PARTS) * (size_t)length) {
         w->smooth[i] = rows;
-        w->magnitude[i] = rows + length;
-        w->gx[i] = (int16_t *)(rows + 2u * (size_t)length);
-        w->gy[i] = (int16_t *)(rows + 3u * (size_t)length);
+        w->slope[i] = rows + length;
     }
 }
 
-#define ROTATE(type, ring, count)                                      \
-    do {                                                               \
-        type *first = (ring)[0];                                       \
-        memmove((ring), (ring) + 1, ((count) - 1u) * sizeof *(ring));  \
-        (ring)[(count) - 1u] = first;                                  \
-    } while (0)
+/* The ring's first row becomes its last. */
+static void rotate(uint16_t **ring, uint32_t count)
+{
+    uint16_t *first = ring[0];
+
+    memmove(ring, ring + 1, (count - 1u) * sizeof *ring);
+    ring[count - 1u] = first;
+}
 
 /* Adds the kernel around a step of the mask from column x - 1 to x; a row's running sum
  * then is the blurred mask. Up to 2^15 and modulo 2^16, so the order does not matter. */
@@ -119,8 +134,8 @@ static void blur_down(window *w)
 static void take_gradient(window *w)
 {
     const uint16_t *a = w->smooth[0], *b = w->smooth[1], *c = w->smooth[2];
-    int16_t *gx = w->gx[2], *gy = w->gy[2];
-    uint16_t *magnitude = w->magnitude[2];
+    int16_t *gx = gx_of(w, 2), *gy = gy_of(w, 2);
+    uint16_t *magnitude = magnitude_of(w, 2);
 
     for (uint32_t i = 1; i + 1u < w->length; i++) {
         int32_t dx = a[i + 1] + 2 * b[i + 1] + c[i + 1] - a[i - 1] - 2 * b[i - 1] - c[i - 1];
@@ -138,10 +153,11 @@ static void take_gradient(window *w)
  * not below the one uphill. Values between cells are interpolated. */
 static bool is_crest(const window *w, uint32_t i)
 {
-    int32_t gx = w->gx[1][i], gy = w->gy[1][i];
+    int32_t gx = gx_of(w, 1)[i], gy = gy_of(w, 1)[i];
     uint32_t ax = (uint32_t)(gx < 0 ? -gx : gx), ay = (uint32_t)(gy < 0 ? -gy : gy);
-    const uint16_t *up = w->magnitude[gy < 0 ? 0 : 2], *down = w->magnitude[gy < 0 ? 2 : 0];
-    const uint16_t *here = w->magnitude[1];
+    const uint16_t *up = magnitude_of(w, gy < 0 ? 0u : 2u);
+    const uint16_t *down = magnitude_of(w, gy < 0 ? 2u : 0u);
+    const uint16_t *here = magnitude_of(w, 1);
     uint32_t forward = gx < 0 ? i - 1u : i + 1u, back = gx < 0 ? i + 1u : i - 1u;
     uint32_t uphill, downhill, limit; /* times the larger of ax and ay: below 2^31 */
 
@@ -162,7 +178,7 @@ static void mark_crests(const window *w, uint32_t y)
     uint8_t *row = w->mask + rs_frame_index(w->frame, 0, y);
 
     for (uint32_t x = 0; x < w->frame->width; x++) {
-        uint32_t magnitude = w->magnitude[1][x + 2u];
+        uint32_t magnitude = magnitude_of(w, 1)[x + 2u];
         row[x] = 0;
         if (magnitude >= RS_CANNY_WEAK && is_crest(w, x + 2u)) {
             row[x] = magnitude >= RS_CANNY_STRONG ? STRONG : WEAK;
@@ -177,18 +193,16 @@ static int find_crests(window *w, rs_ticker *ticker)
     uint32_t height = w->frame->height;
 
     for (uint32_t y = 0; y < RS_CANNY_RADIUS - 2u; y++) {
-        ROTATE(uint16_t, w->across, TAPS);
+        rotate(w->across, TAPS);
         blur_across(w, y);
     }
     for (uint32_t step = 0; step < height + 4u; step++) {
         if (rs_tick(ticker, w->frame->stride, step, 2u * (height + 4u))) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        ROTATE(uint16_t, w->across, TAPS);
-        ROTATE(uint16_t, w->smooth, 3u);
-        ROTATE(uint16_t, w->magnitude, 3u);
-        ROTATE(int16_t, w->gx, 3u);
-        ROTATE(int16_t, w->gy, 3u);
+        rotate(w->across, TAPS);
+        rotate(w->smooth, 3u);
+        rotate(w->slope, 3u);
         blur_across(w, step + RS_CANNY_RADIUS - 2u);
         blur_down(w);
         if (step >= 2u) {

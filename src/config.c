@@ -7,6 +7,7 @@ roomseg_config roomseg_config_default(void)
     roomseg_config config;
 
     config.profile = ROOMSEG_PROFILE_DEFAULT;
+    config.align = NULL;
     config.free_max = 51;
     config.occupied_min = 204;
     config.speck_mm2 = 96000;

@@ -1,6 +1,7 @@
 /* The entry points: checks, the crop, the arena; the stages are the profile's. */
 #include <string.h>
 
+#include "align.h"
 #include "config.h"
 #include "plan.h"
 #include "profile.h"
@@ -27,10 +28,23 @@ static bool crop_too_large(uint32_t width, uint32_t height)
     return height != 0u && width > ROOMSEG_MAX_CROP_CELLS / height;
 }
 
+/* Arena bytes for a crop; all numbers are in range. */
+static int arena_need(const roomseg_config *config, uint32_t width, uint32_t height,
+                      uint32_t resolution_mm, size_t *bytes)
+{
+    rs_plan plan;
+
+    if (config->align != NULL) {
+        return config->align->plan(config, width, height, resolution_mm, bytes);
+    }
+    config->profile->plan(config, width, height, resolution_mm, &plan);
+    *bytes = plan.size;
+    return ROOMSEG_OK;
+}
+
 int roomseg_arena_size(const roomseg_config *config, uint32_t width, uint32_t height,
                        uint32_t resolution_mm, size_t *bytes)
 {
-    rs_plan plan;
     int status;
 
     if (bytes == NULL) {
@@ -49,8 +63,7 @@ int roomseg_arena_size(const roomseg_config *config, uint32_t width, uint32_t he
         status = rs_config_check(config);
     }
     if (status == ROOMSEG_OK) {
-        config->profile->plan(config, width, height, resolution_mm, &plan);
-        *bytes = plan.size;
+        status = arena_need(config, width, height, resolution_mm, bytes);
     }
     return status;
 }
@@ -89,6 +102,20 @@ int roomseg_arena_size_for_grid(const roomseg_config *config, const roomseg_grid
     return roomseg_arena_size(config, frame.width, frame.height, grid->resolution_mm, bytes);
 }
 
+/* All stages behind the crop. */
+static int run_profile(const roomseg_config *config, const roomseg_grid *grid,
+                       const rs_frame *frame, const rs_labels *labels, roomseg_result *result,
+                       void *arena, rs_ticker *ticker)
+{
+    rs_plan plan;
+
+    if (config->align != NULL) {
+        return config->align->run(config, grid, frame, labels, result, arena, ticker);
+    }
+    config->profile->plan(config, frame->width, frame->height, grid->resolution_mm, &plan);
+    return config->profile->run(config, grid, frame, &plan, labels, result, arena, ticker);
+}
+
 /* Everything behind the checks; *result is zeroed already. */
 static int run_checked(const roomseg_config *config, const roomseg_grid *grid, uint16_t *labels,
                        uint32_t label_stride, roomseg_result *result, void *arena,
@@ -96,8 +123,8 @@ static int run_checked(const roomseg_config *config, const roomseg_grid *grid, u
 {
     rs_ticker ticker = {config->progress, config->progress_user, ROOMSEG_STAGE_THRESHOLD, 0, 0};
     rs_frame frame;
-    rs_plan plan;
     rs_labels crop_labels;
+    size_t need = 0;
     int status;
 
     status = rs_ticker_enter(&ticker, ROOMSEG_STAGE_THRESHOLD)
@@ -107,12 +134,12 @@ static int run_checked(const roomseg_config *config, const roomseg_grid *grid, u
         return ROOMSEG_ERR_GRID_SIZE;
     }
     if (status == ROOMSEG_OK && frame.width > 0u) {
-        config->profile->plan(config, frame.width, frame.height, grid->resolution_mm, &plan);
-        if (arena == NULL && arena_size > 0u) {
-            return ROOMSEG_ERR_NULL;
+        status = arena_need(config, frame.width, frame.height, grid->resolution_mm, &need);
+        if (status != ROOMSEG_OK) {
+            return status;
         }
-        if (arena_size < plan.size) {
-            result->arena_used = plan.size;
+        if (arena_size < need) {
+            result->arena_used = need;
             return ROOMSEG_ERR_ARENA_SIZE;
         }
     }
@@ -122,10 +149,9 @@ static int run_checked(const roomseg_config *config, const roomseg_grid *grid, u
     }
     crop_labels.cells = labels + (size_t)frame.y * label_stride + frame.x;
     crop_labels.stride = label_stride;
-    status = config->profile->run(config, grid, &frame, &plan, &crop_labels, result, arena,
-                                  &ticker);
+    status = run_profile(config, grid, &frame, &crop_labels, result, arena, &ticker);
     if (status == ROOMSEG_OK) {
-        set_crop(&frame, plan.size, result);
+        set_crop(&frame, need, result);
     } else {
         uint32_t regions = status == ROOMSEG_ERR_REGIONS ? result->region_count : 0u;
         memset(result, 0, sizeof *result);

@@ -101,11 +101,11 @@ int rs_rotate_init(const rs_frame *crop, const roomseg_grid *grid, uint8_t free_
 }
 
 int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t fill,
-                   uint8_t *cells, rs_ticker *ticker)
+                   uint8_t *cells, uint32_t stride, rs_ticker *ticker)
 {
     const rs_rotation *r = rotation;
 
-    for (uint32_t y = 0; y < r->height; y++, cells += r->width) {
+    for (uint32_t y = 0; y < r->height; y++, cells += stride) {
         int64_t from_x = crop_x_of(r, 0, y), from_y = crop_y_of(r, 0, y);
 
         if (rs_tick(ticker, r->width, y, r->height)) {

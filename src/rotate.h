@@ -23,9 +23,10 @@ typedef struct rs_rotation {
 int rs_rotate_init(const rs_frame *crop, const roomseg_grid *grid, uint8_t free_max,
                    int32_t angle, rs_rotation *rotation, rs_ticker *ticker);
 
-/* cells: width * height of the turned frame. Cells from outside of the grid become `fill`. */
+/* cells: of the turned frame, `stride` bytes from row to row. Cells from outside of the grid
+ * become `fill`. */
 int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t fill,
-                   uint8_t *cells, rs_ticker *ticker);
+                   uint8_t *cells, uint32_t stride, rs_ticker *ticker);
 
 /* turned: labels of the turned frame, no gap between rows.
  * labels: of the crop; cells with a mask of 0 become 0, and those that the turned frame does

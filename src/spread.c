@@ -88,7 +88,7 @@ static int clear_unreached(const spread *s)
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; x < s->frame->width; x++) {
-            labels[x] = row[x] == RS_SPREAD_SETTLED ? labels[x] : (uint16_t)0;
+            labels[x] = row[x] == RS_SPREAD_OPEN ? (uint16_t)0 : labels[x];
         }
     }
     return ROOMSEG_OK;

@@ -13,11 +13,14 @@
 #define RS_SPREAD_OPEN 1u    /* may carry a label */
 #define RS_SPREAD_SETTLED 2u /* carries the label that it keeps */
 
-/* surface: bordered, of the values above, at least one cell of each room settled.
- * labels: not 0 on settled cells; others are a proposal.
- * From the settled cells outwards, nearest first: settles all cells that a room reaches over
- * cells with its own label, then those without label, then whatever else is 4-connected with
- * a settled cell. Cells that no room reaches become 0.
+/* A label like any other here: free space that belongs to no room. */
+#define RS_SPREAD_DROPPED 0xFFFFu
+
+/* surface: bordered, of the values above; the border must be wall.
+ * labels: not 0 on settled cells; those of open cells are a proposal.
+ * From the settled cells outwards, nearest first: settles all cells that a label reaches over
+ * cells that propose it, then over those that propose none, then whatever else is 4-connected
+ * with a settled cell. Open cells that no label reaches become 0.
  * queue: initialised and empty; is left so. A full queue costs time, not correctness.
  * Fails iff cancelled. */
 int rs_spread_run(const rs_frame *frame, uint8_t *surface, const rs_labels *labels,

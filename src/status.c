@@ -35,6 +35,8 @@ const char *roomseg_stage_name(int stage)
     switch (stage) {
     case ROOMSEG_STAGE_THRESHOLD:
         return "threshold";
+    case ROOMSEG_STAGE_ALIGN:
+        return "align";
     case ROOMSEG_STAGE_COMPONENTS:
         return "components";
     case ROOMSEG_STAGE_SURFACE:
@@ -47,6 +49,8 @@ const char *roomseg_stage_name(int stage)
         return "merge";
     case ROOMSEG_STAGE_ROOMS:
         return "rooms";
+    case ROOMSEG_STAGE_TURN_BACK:
+        return "turn back";
     default:
         return "?";
     }

@@ -1,0 +1,78 @@
+/* Alignment: the profile runs on a grid that is turned until its walls lie along the axes,
+ * and what it finds is turned back. The config points here, so a firmware that never asks
+ * for it does not link it. */
+#ifndef RS_ALIGN_H
+#define RS_ALIGN_H
+
+#include "base.h"
+#include "direction.h"
+#include "distance.h"
+#include "graph.h"
+#include "hough.h"
+#include "plan.h"
+#include "profile.h"
+#include "rooms.h"
+
+/* A grid whose walls are off by less than this is left as it is: turning would cost more
+ * than it straightens [degree/100]. */
+#define RS_ALIGN_LEAST 50
+
+struct roomseg_aligner {
+    /* Arena bytes for a crop of width x height cells; all numbers are in range. Fails iff
+     * the turned crop may exceed the limits of a crop (ROOMSEG_ERR_GRID_SIZE). */
+    int (*plan)(const roomseg_config *config, uint32_t width, uint32_t height,
+                uint32_t resolution_mm, size_t *bytes);
+
+    /* As the run of a profile, which it carries out. arena: as many bytes as plan says. */
+    int (*run)(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+               const rs_labels *labels, roomseg_result *result, void *arena,
+               rs_ticker *ticker);
+};
+
+/* Buffers by the tables in roomseg/plan.h. */
+typedef struct rs_find_buffers {
+    uint8_t *mask;
+    uint32_t *points;
+    void *small_scratch;
+    uint16_t *rows;
+    uint16_t *votes;
+    rs_normal *normals;
+    rs_direction_bin *bins;
+} rs_find_buffers;
+
+typedef struct rs_turn_buffers {
+    uint16_t *turned_labels;
+    uint32_t *anchors;
+    uint8_t *turned_cells;
+    void *turned_arena, *turned_queue;
+    uint8_t *surface;
+    void *small_scratch, *queue;
+    rs_distance_scratch distance;
+    rs_region *regions;
+    rs_edge *edges;
+    uint32_t *slots;
+    rs_heap_item *heap;
+    roomseg_room *rooms;
+    rs_room_sum *room_sums;
+    roomseg_doorway *doorways;
+    uint16_t *links;
+} rs_turn_buffers;
+
+int rs_align_plan(const roomseg_config *config, uint32_t width, uint32_t height,
+                  uint32_t resolution_mm, size_t *bytes);
+void rs_align_place_find(const roomseg_config *config, const rs_frame *frame,
+                         uint32_t resolution_mm, void *arena, rs_find_buffers *b);
+void rs_align_place_turn(const roomseg_config *config, const rs_frame *frame,
+                         uint32_t resolution_mm, void *arena, rs_turn_buffers *b);
+
+/* mask: bordered; 1 where the crop is free or its obstacles are noise or clutter, else 0.
+ * scratch: ROOMSEG_PLAN_SMALL_BYTES. */
+int rs_align_mask(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+                  uint8_t *mask, void *scratch, rs_ticker *ticker);
+
+/* Direction of most walls, -4500..4499 hundredths of a degree from the x axis towards the
+ * y axis. arena: as many bytes as the aligner's plan says. Fails iff cancelled. */
+int rs_align_find(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+                  void *arena, int32_t *angle, rs_ticker *ticker);
+
+#endif

@@ -52,37 +52,39 @@ static void check_record(const run *r, const roomseg_room *room, const tally *t)
                                    "the interior point is no cell of its room");
 }
 
+/* Distances are kept in steps of 40 mm, rounded down, 1 to 255 of them. */
+#define STEP_MM 40u
+#define LARGEST_MM (255u * STEP_MM)
+
 /* Holds the radius, which ends at the wall's face, against the true distance between the cells'
- * centres, to a cell's length; the distances behind it are whole cells and end at 255. */
+ * centres, to a step. */
 static void check_radius(const run *r, const uint32_t *walls2, const roomseg_room *room)
 {
     uint64_t distance2 = walls2[(size_t)room->interior_y * r->grid.width + room->interior_x];
     uint64_t resolution = r->grid.resolution_mm;
     uint64_t true2 = distance2 * resolution * resolution;
-    uint64_t to_centre = room->inscribed_radius_mm + resolution / 2;
-    uint64_t slack = resolution + 1;
-    uint64_t low = to_centre > slack ? to_centre - slack : 0;
-    uint64_t high = to_centre + slack;
-    bool saturated = room->inscribed_radius_mm == UINT16_MAX || high > 255u * resolution;
-    if (low * low > true2 || (!saturated && high * high < true2)) {
+    uint64_t low = room->inscribed_radius_mm + resolution / 2;
+    uint64_t high = low + STEP_MM + 1;
+    if ((low > STEP_MM && low * low > true2) || (low < LARGEST_MM && high * high < true2)) {
         fail_with("room %u: radius %u mm, but the wall's centre is sqrt(%llu) mm away",
                   room->label, (unsigned)room->inscribed_radius_mm, (unsigned long long)true2);
     }
 }
 
-/* No other cell of the room is more than one cell further from the walls. */
+/* No other cell of the room is more than a step further from the walls. */
 static void check_interior_is_best(const run *r, const uint32_t *walls2,
                                    const roomseg_room *room)
 {
     uint64_t resolution = r->grid.resolution_mm;
-    uint64_t limit = room->inscribed_radius_mm / resolution + 2u;
-    if (limit > 254u || room->inscribed_radius_mm == 65535u) {
-        return; /* saturated: farther cells are not told apart */
+    uint64_t limit = room->inscribed_radius_mm + resolution / 2 + STEP_MM + 1;
+    if (limit > LARGEST_MM) {
+        return; /* farther cells are not told apart */
     }
     for (uint32_t y = room->min_y; y <= room->max_y; y++) {
         for (uint32_t x = room->min_x; x <= room->max_x; x++) {
+            uint64_t distance2 = walls2[(size_t)y * r->grid.width + x];
             if (run_label(r, x, y) == room->label &&
-                walls2[(size_t)y * r->grid.width + x] >= limit * limit) {
+                distance2 * resolution * resolution >= limit * limit) {
                 fail_with("room %u: %u, %u is farther from walls than its interior point",
                           room->label, (unsigned)x, (unsigned)y);
             }

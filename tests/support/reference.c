@@ -26,7 +26,7 @@ static box bounds_of_free(const uint8_t *kinds, uint32_t width, uint32_t height)
     return b;
 }
 
-/* Gathers the wall component of `start` into `list`, marking its cells as seen. False when it
+/* Gathers the 8-connected wall component of `start` into `list`, marking its cells as seen. False when it
  * touches the edge of the crop, beyond which everything counts as wall. */
 static bool gather(const uint8_t *kinds, uint32_t width, const box *crop, size_t start,
                    uint8_t *seen, size_t *list, size_t *count, box *bounds)
@@ -46,14 +46,14 @@ static bool gather(const uint8_t *kinds, uint32_t width, const box *crop, size_t
         if (x == crop->min_x || x == crop->max_x || y == crop->min_y || y == crop->max_y) {
             inside = false;
         }
-        const size_t next[4] = {list[head] - 1, list[head] + 1, list[head] - width,
-                                list[head] + width};
-        const bool exists[4] = {x > crop->min_x, x < crop->max_x, y > crop->min_y,
-                                y < crop->max_y};
-        for (int i = 0; i < 4; i++) {
-            if (exists[i] && kinds[next[i]] == CELL_WALL && !seen[next[i]]) {
-                seen[next[i]] = 1;
-                list[(*count)++] = next[i];
+        for (uint32_t ny = y > crop->min_y ? y - 1 : y; ny <= y + 1 && ny <= crop->max_y; ny++) {
+            for (uint32_t nx = x > crop->min_x ? x - 1 : x; nx <= x + 1 && nx <= crop->max_x;
+                 nx++) {
+                size_t next = (size_t)ny * width + nx;
+                if (kinds[next] == CELL_WALL && !seen[next]) {
+                    seen[next] = 1;
+                    list[(*count)++] = next;
+                }
             }
         }
     }

@@ -16,7 +16,7 @@ typedef struct rs_region {
     uint16_t parent;         /* region it was merged into; its own label: a root */
     uint16_t peak;           /* that greatest distance [RS_DISTANCE_UNIT_MM] */
     uint16_t room;           /* label of the room it belongs to; 0: none */
-    uint16_t unused;
+    uint16_t unwalled;       /* 1: a root with too few walls around it, see rs_merge_run */
 } rs_region;
 
 /* Two regions that touch. The half-edges 2e and 2e + 1 of edge e stand in the circular

@@ -268,13 +268,13 @@ static void drop_isolated(const rs_merge_rules *rules, rs_graph *graph)
     }
 }
 
-/* Drops what the sensor saw through windows and open doors: small against the map, and
- * bounded by walls far less than the map as a whole. On maps that do not mark their walls
- * as certain obstacles nothing can be told. */
-#define MAP_WALLS_PERCENT 40u /* least share of walls in the whole border */
+#define MAP_WALLS_PERCENT 40u     /* least share of walls in the whole border */
 #define UNWALLED_AREA_PERCENT 10u /* largest share of the whole area */
 
-static void drop_unwalled(const rs_merge_rules *rules, rs_graph *graph)
+/* Marks the roots that are small against the map and bounded by walls far less than the map
+ * as a whole. On maps that do not mark their walls as certain obstacles nothing can be told,
+ * so nothing is marked. */
+static void mark_unwalled(const rs_merge_rules *rules, rs_graph *graph)
 {
     uint64_t area = 0, border = 0, walls = 0;
 
@@ -291,8 +291,45 @@ static void drop_unwalled(const rs_merge_rules *rules, rs_graph *graph)
     }
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         rs_region *region = &graph->regions[r];
-        if (region->parent == r && region->area * 100ull < area * UNWALLED_AREA_PERCENT &&
-            region->walls * border * 100u < region->border * walls * rules->unwalled_percent) {
+        region->unwalled =
+            region->parent == r && region->area * 100ull < area * UNWALLED_AREA_PERCENT &&
+            region->walls * border * 100u < region->border * walls * rules->unwalled_percent;
+    }
+}
+
+/* Whether a root touches two roots or more that are not marked as unwalled. */
+static bool joins_walled(rs_graph *graph, uint16_t root)
+{
+    uint32_t start, half;
+    uint16_t first = 0;
+
+    if (graph->regions[root].first_half == RS_NO_HALF) {
+        return false;
+    }
+    start = next_outward(graph, root, graph->regions[root].first_half);
+    for (half = start; half != RS_NO_HALF;) {
+        uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
+
+        if (graph->regions[other].unwalled == 0u && first != 0u && other != first) {
+            return true;
+        }
+        first = graph->regions[other].unwalled == 0u ? other : first;
+        half = next_outward(graph, root, half);
+        if (half == start) {
+            break;
+        }
+    }
+    return false;
+}
+
+/* Drops what the sensor saw through windows and open doors: unwalled dead ends. What leads
+ * from one room to another was crossed by the robot. */
+static void drop_unwalled(const rs_merge_rules *rules, rs_graph *graph)
+{
+    mark_unwalled(rules, graph);
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        rs_region *region = &graph->regions[r];
+        if (region->unwalled != 0u && !joins_walled(graph, (uint16_t)r)) {
             region->area = 0;
         }
     }

@@ -168,8 +168,9 @@ typedef struct roomseg_config {
     /* What was only seen through a window or an open door is no room: its border consists
      * of walls (cells of occupied_min or more) by less than this percentage of the share
      * that walls have in the border of the whole map. Such rooms below a tenth of the whole
-     * area are dropped (label 0), unless walls make up less than 40 % of the whole border:
-     * then the map does not mark its walls. 0 (keep all)..100; default 50. */
+     * area that lead nowhere else are dropped (label 0), unless walls make up less than 40 %
+     * of the whole border: then the map does not mark its walls. 0 (keep all)..100;
+     * default 50. */
     uint32_t unwalled_percent;
 
     /* Capacities; the arena grows with them (see ROOMSEG_ARENA_SIZE). More regions

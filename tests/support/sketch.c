@@ -1,5 +1,6 @@
 #include "sketch.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -86,6 +87,29 @@ sketch sketch_rooms(uint32_t columns, uint32_t rows, uint32_t side, uint32_t doo
         }
     }
     return s;
+}
+
+sketch sketch_turned(const sketch *s, double degrees)
+{
+    const double radians = degrees * 3.14159265358979323846 / 180.0;
+    const double cosine = cos(radians);
+    const double sine = sin(radians);
+    uint32_t side = (uint32_t)ceil(hypot(s->grid.width, s->grid.height)) + 4;
+    sketch turned = sketch_blank(side, side, 127, s->grid.resolution_mm);
+    for (uint32_t y = 0; y < side; y++) {
+        for (uint32_t x = 0; x < side; x++) {
+            double dx = x - side / 2.0;
+            double dy = y - side / 2.0;
+            double from_x = floor(cosine * dx + sine * dy + s->grid.width / 2.0 + 0.5);
+            double from_y = floor(cosine * dy - sine * dx + s->grid.height / 2.0 + 0.5);
+            if (from_x >= 0 && from_y >= 0 && from_x < s->grid.width &&
+                from_y < s->grid.height) {
+                turned.memory[(size_t)y * side + x] =
+                    s->memory[(size_t)from_y * s->grid.stride + (size_t)from_x];
+            }
+        }
+    }
+    return turned;
 }
 
 void sketch_free(sketch *s)

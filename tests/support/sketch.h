@@ -29,6 +29,10 @@ void sketch_fill(sketch *s, uint32_t x, uint32_t y, uint32_t width, uint32_t hei
 sketch sketch_rooms(uint32_t columns, uint32_t rows, uint32_t side, uint32_t door,
                     uint32_t resolution_mm);
 
+/* The same map seen by a robot whose x axis lies `degrees` counter-clockwise of the drawing's:
+ * turned clockwise to the eye, unknown around. */
+sketch sketch_turned(const sketch *s, double degrees);
+
 void sketch_free(sketch *s);
 
 #endif

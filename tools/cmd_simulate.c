@@ -9,9 +9,11 @@
 #include "simulate/simulate.h"
 #include "simulate/turn.h"
 
-static const char USAGE[] =
+static const char usage[] =
     "usage: roomseg simulate --seed N [--size small|medium|large] [--furnished|--empty]\n"
-    "                        [--clutter C] [--noise E] [--resolution M] [--rotate DEG] -o DIR\n"
+    "                        [--clutter C] [--noise E] [--resolution M] [--rotate DEG] -o DIR\n";
+
+static const char help[] =
     "Makes up a flat, drives a robot with a laser through it and writes DIR/map.pgm as the\n"
     "robot would, with DIR/truth.pgm: the true rooms 1, 2, ..., 0 = no room. The same numbers\n"
     "give the same files on every machine.\n"
@@ -203,10 +205,10 @@ int cmd_simulate(int argc, char **argv) {
     sim_map map;
     tool_error error = {""};
     if (parse(argc, argv, &text, &options, &error) != 0) {
-        return args_usage_error(&error, USAGE);
+        return args_usage_error(&error, usage);
     }
     if (text.help) {
-        fputs(USAGE, stdout);
+        printf("%s%s", usage, help);
         return EXIT_DONE;
     }
     if (sim_run(&options, &map) != 0) {

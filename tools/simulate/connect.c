@@ -41,10 +41,6 @@ static int larger(int a, int b) {
     return a > b ? a : b;
 }
 
-static int area_of(box b) {
-    return (b.x1 - b.x0) * (b.y1 - b.y0);
-}
-
 static int slimness(box b) {
     return smaller(b.x1 - b.x0, b.y1 - b.y0);
 }
@@ -96,7 +92,7 @@ static opening *add_opening(connector *c, opening_kind kind, const shared_wall *
 static int merged_area(const connector *c, int room) {
     int sum = 0;
     for (int i = 0; i < c->f->part_count; i++) {
-        sum += c->merged[i] == room ? area_of(c->f->parts[i].area) : 0;
+        sum += c->merged[i] == room ? box_area(c->f->parts[i].area) : 0;
     }
     return sum;
 }
@@ -299,7 +295,7 @@ static void drop_unreached(connector *c) {
         int sum = 0;
         for (int j = 0; j < f->part_count; j++) {
             int same = exists(&f->parts[j]) && c->group[j] == c->group[i];
-            sum += same ? area_of(f->parts[j].area) : 0;
+            sum += same ? box_area(f->parts[j].area) : 0;
         }
         if (exists(&f->parts[i]) && sum > best_area) {
             best_area = sum;

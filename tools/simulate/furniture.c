@@ -11,6 +11,7 @@ enum {
     TAKEN = 1,        /* flag: something stands there */
     DOORWAY = 2,      /* flag: to be kept free for the door */
     CLEAR = 4,        /* flag: in front of a piece */
+    TRIED = 8,        /* flag: something would stand there */
     DOOR_DEPTH = 85,  /* kept free on both sides of a door [cm] */
     TRIES = 30,       /* places looked at for one piece */
     STREAM_PARTS = 100
@@ -65,7 +66,6 @@ static void set_flag(placer *p, box b, int flag) {
     }
 }
 
-/* The place had the flag nowhere before. */
 static void drop_flag(placer *p, box b, int flag) {
     box c = cells_of(p, b);
     for (int y = c.y0; y < c.y1; y++) {
@@ -91,24 +91,26 @@ static void read_world(placer *p) {
     }
 }
 
-/* Whether the robot gets through the part now. */
-static int is_passable(const placer *p) {
-    passage_grid g = {p->flags, TAKEN, p->columns, p->rows, p->mask, p->queue};
-    return passage_is_open(&g, cells_of(p, grown(p->floor, p->f->wall)), p->gates,
-                           p->gate_count);
+/* Whether the robot gets through the part when something stands at the place. */
+static int stays_passable(placer *p, box place) {
+    passage_grid g = {p->flags, TAKEN | TRIED, p->columns, p->rows, p->mask, p->queue};
+    set_flag(p, place, TRIED);
+    int open = passage_is_open(&g, cells_of(p, grown(p->floor, p->f->wall)), p->gates,
+                               p->gate_count);
+    drop_flag(p, place, TRIED);
+    return open;
 }
 
-/* Takes the place when it has none of the flags, the room around it is not blocked, and the
- * robot still gets through. */
-static int claim(placer *p, box place, box around, int flags) {
-    if (any_flag(p, place, flags) || any_flag(p, around, TAKEN)) {
+/* Takes the place when `core`, the place without what may touch walls, has none of the flags,
+ * the room around it is not blocked, and the robot still gets through. */
+static int claim(placer *p, box place, box core, box around, int flags) {
+    if (any_flag(p, core, flags) || any_flag(p, around, TAKEN)) {
+        return 0;
+    }
+    if (!stays_passable(p, place)) {
         return 0;
     }
     set_flag(p, place, TAKEN);
-    if (!is_passable(p)) {
-        drop_flag(p, place, TAKEN);
-        return 0;
-    }
     set_flag(p, around, CLEAR);
     return 1;
 }
@@ -159,9 +161,8 @@ static int try_at_wall(placer *p, piece_kind kind, int width, int depth, int fro
     box place = place_at_side(p, side, start, width, gap, depth);
     box around = place_at_side(p, side, start, width, gap + depth, front);
     /* The cells of the wall itself are taken: look at the place without its rim. */
-    box inner = grown(place, -CELL);
     if (!has_wall(p, side, start, start + width) ||
-        !claim(p, inner, around, TAKEN | DOORWAY | CLEAR)) {
+        !claim(p, place, grown(place, -CELL), around, TAKEN | DOORWAY | CLEAR)) {
         return 0;
     }
     const int origins[4][2] = {{start + width / 2, place.y0},
@@ -188,7 +189,7 @@ static int try_free(placer *p, piece_kind kind, int width, int depth, int front)
     int32_t tilt = rng_normal(&p->r, TURN_DEGREES(3));
     box place = {x - half_x, y - half_y, x + half_x, y + half_y};
     int flags = front > 0 ? TAKEN | DOORWAY | CLEAR : TAKEN | DOORWAY;
-    if (!claim(p, place, grown(place, front), flags)) {
+    if (!claim(p, place, place, grown(place, front), flags)) {
         return 0;
     }
     frame centre = frame_at(x, y, (turned ? TURN_QUARTER : 0) + tilt);
@@ -241,7 +242,7 @@ static void put_loose_things(placer *p, part_kind kind) {
     static const piece_kind kinds[] = {PIECE_JUNK, PIECE_JUNK, PIECE_JUNK, PIECE_TOYS,
                                        PIECE_BOX,  PIECE_CHAIR, PIECE_TOYS, PIECE_PLANT};
     int area_dm2 = (p->floor.x1 - p->floor.x0) * (p->floor.y1 - p->floor.y0) / 100;
-    int most = area_dm2 * p->clutter / 7500;
+    int most = area_dm2 * p->clutter / 6000;
     for (int n = rng_range(&p->r, most / 2, most + 1); n > 0 && p->clutter > 0; n--) {
         piece_kind piece = kinds[rng_range(&p->r, 0, 7)];
         put_piece(p, kind == PART_HALL ? PIECE_JUNK : piece);

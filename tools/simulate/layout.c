@@ -25,10 +25,6 @@ static int height_of(box b) {
     return b.y1 - b.y0;
 }
 
-static int area_of(box b) {
-    return width_of(b) * height_of(b);
-}
-
 static int is_wide(box b) {
     return width_of(b) >= height_of(b);
 }
@@ -114,7 +110,7 @@ static void cut_region(layout *l, box b) {
     int length = long_side(b);
     int slim = length > 2 * short_side(b);
     int full = l->f->part_count >= REGION_PARTS;
-    if (full || length < 2 * MIN_SIDE + 60 || (area_of(b) <= stop && !slim)) {
+    if (full || length < 2 * MIN_SIDE + 60 || (box_area(b) <= stop && !slim)) {
         add_part(l, b, PART_BED);
         return;
     }
@@ -184,7 +180,7 @@ static void carve_corners(flat *f, rng *r) {
     for (int i = 0; i < f->part_count && f->part_count >= 6; i++) {
         part *p = &f->parts[i];
         int fits = p->kind != PART_HALL && corners_touched(f, p->area) == 1 &&
-                   area_of(p->area) < total / 6;
+                   box_area(p->area) < total / 6;
         if (fits && rng_chance(r, 420)) {
             p->kind = PART_VOID;
         }
@@ -217,7 +213,7 @@ static void choose_kinds(flat *f, rng *r) {
     for (int i = 0; i < f->part_count; i++) {
         const part *p = &f->parts[i];
         if (p->kind == PART_BED &&
-            (largest < 0 || area_of(p->area) > area_of(f->parts[largest].area))) {
+            (largest < 0 || box_area(p->area) > box_area(f->parts[largest].area))) {
             largest = i;
         }
     }
@@ -226,7 +222,7 @@ static void choose_kinds(flat *f, rng *r) {
         if (i == largest) {
             p->kind = PART_LIVING;
         } else if (p->kind == PART_BED) {
-            p->kind = choose_kind(area_of(p->area) / CM2_PER_M2, short_side(p->area), &baths,
+            p->kind = choose_kind(box_area(p->area) / CM2_PER_M2, short_side(p->area), &baths,
                                   &kitchens, r);
         }
     }
@@ -254,7 +250,7 @@ void flat_layout(flat *f, flat_size size, rng *r) {
     int share = rng_range(r, 25, 38);
     if (rng_chance(r, 700)) {
         box end = take(&rest, 1, outline.x1 * share / 100);
-        if (area_of(end) <= LIVING_MAX_M2 * CM2_PER_M2 && short_side(end) >= 280) {
+        if (box_area(end) <= LIVING_MAX_M2 * CM2_PER_M2 && short_side(end) >= 280) {
             add_part(&l, end, PART_BED);
         } else {
             cut_region(&l, end);

@@ -3,16 +3,12 @@
 
 enum { CLEAR_DEPTH = 70 /* no other room within this distance behind a window [cm] */ };
 
-static int overlap(box a, box b) {
-    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
-}
-
 /* 1 when nothing but air is behind the opening. */
 static int leads_outside(const flat *f, const opening *o) {
     int inner = o->low < 0 ? o->high : o->low;
     box gap = flat_gap(o, CLEAR_DEPTH);
     for (int i = 0; i < f->part_count; i++) {
-        if (i != inner && f->parts[i].kind != PART_VOID && overlap(gap, f->parts[i].area)) {
+        if (i != inner && f->parts[i].kind != PART_VOID && box_overlap(gap, f->parts[i].area)) {
             return 0;
         }
     }

@@ -9,7 +9,7 @@ static const piece_size sizes[PIECE_COUNT] = {
     [PIECE_SOFA] = {140, 240, 80, 100, 60, 1},
     [PIECE_CORNER_SOFA] = {220, 300, 150, 200, 60, 1},
     [PIECE_ARMCHAIR] = {95, 115, 95, 115, 5, 0},
-    [PIECE_DESK] = {100, 180, 60, 80, 65, 1},
+    [PIECE_DESK] = {100, 180, 115, 135, 30, 1},
     [PIECE_DINING_SET] = {180, 290, 175, 215, 15, 0},
     [PIECE_COFFEE_TABLE] = {60, 125, 50, 80, 35, 0},
     [PIECE_ISLAND] = {120, 240, 75, 115, 70, 0},
@@ -122,6 +122,7 @@ static void draw_armchair(world *w, const frame *f, int width, int depth, rng *r
 
 static void draw_desk(world *w, const frame *f, int width, int depth, rng *r) {
     int half = width / 2;
+    depth -= 55; /* the rest is for the chair */
     draw_four_legs(w, f, -half, 2, half, depth, 5);
     if (rng_chance(r, 500)) {
         frame_box(w, f, -half, 2, -half + 42, depth - 5, MAT_SOLID);

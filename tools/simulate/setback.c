@@ -6,10 +6,6 @@ enum {
     CLEARANCE = 30   /* to the openings of the room [cm] */
 };
 
-static int overlap(box a, box b) {
-    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
-}
-
 /* The strip of this depth along side 0..3 (left, right, top, bottom) of a box. */
 static box strip_of(box b, int side, int depth) {
     switch (side) {
@@ -38,7 +34,7 @@ static int has_opening_near(const flat *f, int part_index, box strip) {
     for (int i = 0; i < f->opening_count; i++) {
         const opening *o = &f->openings[i];
         int touches = o->low == part_index || o->high == part_index;
-        if (touches && overlap(near, flat_gap(o, f->wall))) {
+        if (touches && box_overlap(near, flat_gap(o, f->wall))) {
             return 1;
         }
     }

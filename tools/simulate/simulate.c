@@ -51,7 +51,7 @@ static int unhang_leaves(flat *f, int room_a, int room_b) {
 }
 
 /* Clears the way where the robot did not get through a passage: the rooms on both sides
- * lose their furniture (flags in skip), or, bare already, their door leaves. Returns how
+ * lose their door leaves, or, having none, their furniture (flags in skip). Returns how
  * much was changed. */
 static int clear_blocked(flat *f, const route *way, uint8_t *skip) {
     int changed = 0;
@@ -65,9 +65,12 @@ static int clear_blocked(flat *f, const route *way, uint8_t *skip) {
         if (a == 0 || b == 0 || (way->visited[a] && way->visited[b])) {
             continue;
         }
-        changed += skip[a] && skip[b] ? unhang_leaves(f, a, b) : 1;
-        skip[a] = 1;
-        skip[b] = 1;
+        int leaves = unhang_leaves(f, a, b);
+        changed += leaves > 0 || !skip[a] || !skip[b];
+        if (leaves == 0) {
+            skip[a] = 1;
+            skip[b] = 1;
+        }
     }
     return changed;
 }

@@ -3,6 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+int box_area(box b) {
+    return (b.x1 - b.x0) * (b.y1 - b.y0);
+}
+
+int box_overlap(box a, box b) {
+    return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
 int world_make(world *w, int width, int height) {
     size_t count = (size_t)width * (size_t)height;
     *w = (world){width, height, malloc(count), calloc(count, 1)};

@@ -31,6 +31,9 @@ typedef struct box {
     int x0, y0, x1, y1;
 } box;
 
+int box_area(box b);
+int box_overlap(box a, box b); /* 1 when they share a pixel */
+
 /* What a shape does to the room numbers below it. */
 #define ROOM_KEEP (-1)
 

@@ -44,7 +44,7 @@ static int run_inner(const roomseg_config *config, const roomseg_grid *grid,
     int status;
 
     /* What comes from outside of the grid is an obstacle, but not a certain one. */
-    status = rs_rotate_grid(rotation, grid, (uint8_t)(config->free_max + 1u),
+    status = rs_rotate_grid(rotation, grid, config->free_max, (uint8_t)(config->free_max + 1u),
                             cells + rs_frame_index(&frame, 0, 0), frame.stride, ticker);
     if (status == ROOMSEG_OK) {
         memset(labels.cells, 0, (size_t)frame.width * frame.height * sizeof *labels.cells);

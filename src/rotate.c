@@ -100,24 +100,76 @@ int rs_rotate_init(const rs_frame *crop, const roomseg_grid *grid, uint8_t free_
     return ROOMSEG_OK;
 }
 
-int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t fill,
-                   uint8_t *cells, uint32_t stride, rs_ticker *ticker)
+/* Four cells around a position, and how near it is to each: 1/256 of a cell along x and y. */
+typedef struct around {
+    uint8_t values[4]; /* left and right above, left and right below */
+    uint32_t right, below; /* 0..255 */
+} around;
+
+static uint8_t cell_of(const roomseg_grid *grid, uint32_t x, uint32_t y, uint8_t fill)
+{
+    return x < grid->width && y < grid->height ? grid->cells[(size_t)y * grid->stride + x] : fill;
+}
+
+/* x, y: position in the grid. */
+static around look_around(const roomseg_grid *grid, int64_t x, int64_t y, uint8_t fill)
+{
+    uint64_t biased_x = (uint64_t)(x + ((int64_t)BIAS << SHIFT));
+    uint64_t biased_y = (uint64_t)(y + ((int64_t)BIAS << SHIFT));
+    uint32_t left = (uint32_t)(biased_x >> SHIFT) - BIAS; /* modulo 2^32 */
+    uint32_t above = (uint32_t)(biased_y >> SHIFT) - BIAS;
+    around a;
+
+    a.right = (uint32_t)(biased_x >> (SHIFT - 8)) & 255u;
+    a.below = (uint32_t)(biased_y >> (SHIFT - 8)) & 255u;
+    a.values[0] = cell_of(grid, left, above, fill);
+    a.values[1] = cell_of(grid, left + 1u, above, fill);
+    a.values[2] = cell_of(grid, left, above + 1u, fill);
+    a.values[3] = cell_of(grid, left + 1u, above + 1u, fill);
+    return a;
+}
+
+/* The nearest of the four cells among the obstacles if these take more than a fifth of the
+ * square around the position, else among the free cells. Less than that, and the single
+ * cells of a thin wall that touch at corners only would come apart. */
+static uint8_t mix(const around *a, uint8_t free_max)
+{
+    const uint32_t weights[4] = {(256u - a->right) * (256u - a->below),
+                                 a->right * (256u - a->below), (256u - a->right) * a->below,
+                                 a->right * a->below};
+    uint32_t obstacles = 0, most = 0;
+    uint8_t value = a->values[0];
+    bool obstacle;
+
+    for (uint32_t i = 0; i < 4u; i++) {
+        obstacles += a->values[i] > free_max ? weights[i] : 0u;
+    }
+    obstacle = obstacles * 5u > 65536u;
+    for (uint32_t i = 0; i < 4u; i++) {
+        if ((a->values[i] > free_max) == obstacle && weights[i] > most) {
+            most = weights[i];
+            value = a->values[i];
+        }
+    }
+    return value;
+}
+
+int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t free_max,
+                   uint8_t fill, uint8_t *cells, uint32_t stride, rs_ticker *ticker)
 {
     const rs_rotation *r = rotation;
 
     for (uint32_t y = 0; y < r->height; y++, cells += stride) {
-        int64_t from_x = crop_x_of(r, 0, y), from_y = crop_y_of(r, 0, y);
+        int64_t from_x = crop_x_of(r, 0, y) + ((int64_t)r->crop->x << SHIFT);
+        int64_t from_y = crop_y_of(r, 0, y) + ((int64_t)r->crop->y << SHIFT);
 
         if (rs_tick(ticker, r->width, y, r->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; x < r->width; x++) {
-            uint32_t grid_x = (uint32_t)nearest(from_x) + r->crop->x; /* modulo 2^32 */
-            uint32_t grid_y = (uint32_t)nearest(from_y) + r->crop->y;
+            around a = look_around(grid, from_x, from_y, fill);
 
-            cells[x] = grid_x < grid->width && grid_y < grid->height
-                           ? grid->cells[(size_t)grid_y * grid->stride + grid_x]
-                           : fill;
+            cells[x] = mix(&a, free_max);
             from_x += 2 * (int64_t)r->axis.cos;
             from_y += 2 * (int64_t)r->axis.sin;
         }

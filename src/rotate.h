@@ -1,5 +1,5 @@
 /* Alignment, step 4: the grid turned until its walls lie along the axes, and labels turned
- * back. Both take the nearest cell. */
+ * back. */
 #ifndef RS_ROTATE_H
 #define RS_ROTATE_H
 
@@ -23,13 +23,15 @@ typedef struct rs_rotation {
 int rs_rotate_init(const rs_frame *crop, const roomseg_grid *grid, uint8_t free_max,
                    int32_t angle, rs_rotation *rotation, rs_ticker *ticker);
 
-/* cells: of the turned frame, `stride` bytes from row to row. Cells from outside of the grid
- * become `fill`. */
-int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t fill,
-                   uint8_t *cells, uint32_t stride, rs_ticker *ticker);
+/* cells: of the turned frame, `stride` bytes from row to row. Each takes the value of one of
+ * the four grid cells around it: of an obstacle (above free_max) where obstacles make up more
+ * than a fifth of the bilinear mixture, else of a free cell. So walls stay closed and no
+ * value is new. Cells outside of the grid count as `fill`. */
+int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t free_max,
+                   uint8_t fill, uint8_t *cells, uint32_t stride, rs_ticker *ticker);
 
 /* turned: labels of the turned frame, no gap between rows.
- * labels: of the crop; cells with a mask of 0 become 0, and those that the turned frame does
+ * labels: of the crop, each from the nearest turned cell; cells with a mask of 0 become 0, and those that the turned frame does
  * not hold. */
 int rs_rotate_labels_back(const rs_rotation *rotation, const uint16_t *turned,
                           const uint8_t *mask, const rs_labels *labels, rs_ticker *ticker);

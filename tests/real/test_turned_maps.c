@@ -11,10 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "check.h"
+#include "align.h"
 #include "map.h"
 #include "run.h"
-#include "turn.h"
+#include "sketch.h"
+#include "threshold.h"
 #include "unity.h"
 
 #define SKIPPED 77
@@ -61,11 +62,35 @@ static map load(const char *path)
     return m;
 }
 
-static roomseg_grid grid_of(const map *m)
+/* The map around its free cells; turning the whole of it would take long. */
+static sketch cut_out(const map *m)
 {
+    const uint32_t margin = 10;
     roomseg_grid grid = {m->cells, m->width, m->height, m->width,
                          (uint32_t)(m->resolution_m * 1000.0 + 0.5)};
-    return grid;
+    rs_ticker ticker = {0};
+    rs_frame crop;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
+                          rs_threshold_crop(&grid, roomseg_config_default().free_max, &crop,
+                                            &ticker));
+    uint32_t left = crop.x > margin ? crop.x - margin : 0;
+    uint32_t top = crop.y > margin ? crop.y - margin : 0;
+    uint32_t right = rs_min_u32(crop.x + crop.width + margin, m->width);
+    uint32_t bottom = rs_min_u32(crop.y + crop.height + margin, m->height);
+    sketch s = sketch_blank(right - left, bottom - top, 0, grid.resolution_mm);
+    for (uint32_t y = top; y < bottom; y++) {
+        memcpy(s.memory + (size_t)(y - top) * s.grid.stride, m->cells + (size_t)y * m->width + left,
+               right - left);
+    }
+    return s;
+}
+
+static sketch load_cut_out(const char *path)
+{
+    map m = load(path);
+    sketch s = cut_out(&m);
+    map_free(&m);
+    return s;
 }
 
 static roomseg_config aligning(void)
@@ -80,10 +105,20 @@ static roomseg_config aligning(void)
 static double wall_angle(const roomseg_grid *grid)
 {
     roomseg_config config = aligning();
-    run r = run_unchecked(&config, grid);
-    double angle = r.result.wall_angle / 100.0;
-    run_free(&r);
-    return angle;
+    rs_ticker ticker = {0};
+    rs_frame crop;
+    size_t bytes;
+    int32_t angle;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
+                          rs_threshold_crop(grid, config.free_max, &crop, &ticker));
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, crop.width, crop.height,
+                                                         grid->resolution_mm, &bytes));
+    void *arena = malloc(bytes);
+    TEST_ASSERT_NOT_NULL(arena);
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
+                          rs_align_find(&config, grid, &crop, arena, &angle, &ticker));
+    free(arena);
+    return angle / 100.0;
 }
 
 /* The walls' directions repeat themselves after a quarter turn, but in the pentagon of
@@ -96,19 +131,18 @@ static double period_of(const char *path)
 static void test_the_angle_is_right_within_a_degree(void)
 {
     for (int i = 0; i < MAPS; i++) {
-        map m = load(paths[i]);
-        roomseg_grid grid = grid_of(&m);
-        double own = wall_angle(&grid);
+        sketch straight = load_cut_out(paths[i]);
+        double own = wall_angle(&straight.grid);
         double worst = 0.0;
         for (int degrees = -40; degrees <= 40; degrees += 5) {
-            roomseg_grid turned = turn_grid(&grid, degrees);
-            double off = turn_difference(wall_angle(&turned), own + degrees, period_of(paths[i]));
+            sketch turned = sketch_turned(&straight, degrees);
+            double off = remainder(wall_angle(&turned.grid) - own - degrees, period_of(paths[i]));
             worst = fabs(off) > worst ? fabs(off) : worst;
-            free((void *)turned.cells);
+            sketch_free(&turned);
         }
         printf("%s: walls at %.2f degrees; turned, %.2f off at most\n", paths[i], own, worst);
         TEST_ASSERT_TRUE_MESSAGE(worst <= 1.0, paths[i]);
-        map_free(&m);
+        sketch_free(&straight);
     }
 }
 
@@ -118,16 +152,15 @@ static void test_results_of_turned_maps_are_consistent(void)
     const double angles[3] = {-31.0, 8.0, 44.0};
     for (int i = 0; i < MAPS; i++) {
         roomseg_config config = aligning();
-        map m = load(paths[i]);
-        roomseg_grid grid = grid_of(&m);
-        roomseg_grid turned = turn_grid(&grid, angles[i % 3]);
-        run r = run_checked(&config, &turned);
+        sketch straight = load_cut_out(paths[i]);
+        sketch turned = sketch_turned(&straight, angles[i % 3]);
+        run r = run_checked(&config, &turned.grid);
         printf("%s: %u rooms, %u regions\n", paths[i], (unsigned)r.result.room_count,
                (unsigned)r.result.region_count);
         TEST_ASSERT_GREATER_THAN_UINT(1, r.result.room_count);
         run_free(&r);
-        free((void *)turned.cells);
-        map_free(&m);
+        sketch_free(&turned);
+        sketch_free(&straight);
     }
 }
 

@@ -16,8 +16,8 @@
 #include "truth.h"
 
 static const char usage[] =
-    "usage: roomseg bench DATASET [--set NAME] [--profile default] [--reps N] [--json]\n"
-    "                     [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
+    "usage: roomseg bench DATASET [--set NAME] [--profile default] [--align] [--reps N]\n"
+    "                     [--json] [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
     "                     [--labels FOLDER]\n";
 
 static const char help[] =
@@ -32,6 +32,7 @@ static const char help[] =
     "\n"
     "  --set NAME            this set alone\n"
     "  --profile NAME        set of parameters; there is one, default\n"
+    "  --align               turns each map until its walls lie along the axes\n"
     "  --reps N              timed runs per map, 1 to 1000; default 3; the median counts\n"
     "  --json                one JSON document instead of tables; shares from 0 to 1\n"
     "  --resolution M        edge of a cell in metres, 0.02 to 0.2; default: what the map\n"
@@ -49,7 +50,7 @@ typedef struct request {
     const char *folder;
     const char *set; /* NULL: all */
     bench_settings settings;
-    int json, help;
+    int align, json, help;
 } request;
 
 /* Says before the first map what the library would say to each. */
@@ -81,6 +82,9 @@ static int read_values(const char *profile, const char *repetitions, const char 
         return -1;
     }
     out->settings.repetitions = (int)count;
+    if (out->align) {
+        out->settings.config.align = ROOMSEG_ALIGN_ON;
+    }
     return check_config(&out->settings.config, error);
 }
 
@@ -94,6 +98,7 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
     const arg_option options[] = {
         {"--set", NULL, &out->set, NULL},
         {"--profile", NULL, &profile, NULL},
+        {"--align", NULL, NULL, &out->align},
         {"--reps", NULL, &repetitions, NULL},
         {"--resolution", NULL, &resolution, NULL},
         {"--labels", NULL, &out->settings.labels_folder, NULL},
@@ -165,8 +170,10 @@ static int is_wanted(const request *q, const dataset_set *set) {
 static void print_json(const request *q, const set_result *sets, size_t count) {
     fputs("{\"dataset\": ", stdout);
     json_string(stdout, q->folder);
-    printf(",\n \"profile\": \"default\", \"repetitions\": %d, \"speck_cells\": %u,\n",
-           q->settings.repetitions, TRUTH_SPECK_CELLS);
+    printf(",\n \"profile\": \"default\", \"align\": %s, \"repetitions\": %d, "
+           "\"speck_cells\": %u,\n",
+           q->settings.config.align != NULL ? "true" : "false", q->settings.repetitions,
+           TRUTH_SPECK_CELLS);
     fputs(" \"config\": ", stdout);
     config_print_json(stdout, &q->settings.config);
     fputs(",\n \"sets\": ", stdout);

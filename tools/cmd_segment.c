@@ -11,7 +11,7 @@
 #include "segment.h"
 
 static const char usage[] =
-    "usage: roomseg segment MAP -o FOLDER [--resolution M] [--profile default]\n"
+    "usage: roomseg segment MAP -o FOLDER [--resolution M] [--profile default] [--align]\n"
     "                       [--free-below N] [--occupied-above N] [--invert]\n";
 
 static const char help[] =
@@ -26,6 +26,8 @@ static const char help[] =
     "  --resolution M        edge of a cell in metres, 0.02 to 0.2; default: what the map\n"
     "                        says, else 0.04\n"
     "  --profile NAME        set of parameters; there is one, default\n"
+    "  --align               turns the map until its walls lie along the axes; the rooms come\n"
+    "                        back in the map's own cells\n"
     "  --free-below N        cells up to this occupancy are free, 0 to 254; default 51\n"
     "  --occupied-above N    cells above this are obstacles for sure and never belong to a\n"
     "                        room, 0 to 254, not below --free-below; default 203\n"
@@ -36,7 +38,7 @@ typedef struct request {
     const char *folder;
     map_options options;
     roomseg_config config;
-    int help;
+    int align, help;
 } request;
 
 /* Numbers out of the texts of options; a text that is NULL leaves the default. */
@@ -68,6 +70,7 @@ static int read_values(const char *resolution, const char *profile, const char *
     }
     out->config.free_max = (uint8_t)free_max;
     out->config.occupied_min = (uint8_t)(highest_unsure + 1);
+    out->config.align = out->align ? ROOMSEG_ALIGN_ON : out->config.align;
     return 0;
 }
 
@@ -83,6 +86,7 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         {"--output", "-o", &out->folder, NULL},
         {"--resolution", NULL, &resolution, NULL},
         {"--profile", NULL, &profile, NULL},
+        {"--align", NULL, NULL, &out->align},
         {"--free-below", NULL, &free_below, NULL},
         {"--occupied-above", NULL, &occupied_above, NULL},
         {"--invert", NULL, NULL, &out->options.invert},
@@ -156,6 +160,9 @@ static void print_summary(const request *q, const map *m, const segmentation *s)
     const roomseg_result *r = &s->result;
     size_t crop_cells = (size_t)r->crop_width * r->crop_height;
     report_table(m, s, stdout);
+    if (s->config.align != NULL) {
+        printf("walls: %.2f degrees clockwise of the map's axes\n", r->wall_angle / 100.0);
+    }
     printf("arena: %lu bytes for a crop of %u x %u cells", (unsigned long)r->arena_used,
            (unsigned)r->crop_width, (unsigned)r->crop_height);
     if (crop_cells > 0) {

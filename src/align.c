@@ -194,7 +194,7 @@ static int measure(const roomseg_config *config, const roomseg_grid *grid, const
     if (status == ROOMSEG_OK) {
         status = rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &graph,
                                 (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms),
-                                b->slots, ticker);
+                                &b->graph_scratch, ticker);
     }
     if (status == ROOMSEG_OK) {
         status = rs_rooms_number(&graph, &records, b->heap);

@@ -50,7 +50,7 @@ typedef struct rs_turn_buffers {
     rs_distance_scratch distance;
     rs_region *regions;
     rs_edge *edges;
-    uint32_t *slots;
+    rs_graph_scratch graph_scratch;
     rs_heap_item *heap;
     roomseg_room *rooms;
     rs_room_sum *room_sums;

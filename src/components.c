@@ -126,14 +126,19 @@ static void join_row(const rs_frame *frame, uint32_t reach, const rs_run *above,
     }
 }
 
+/* Noise is told by its area alone. Clutter is compact: neither side of its bounding box
+ * more than twice the other, and a third of the box filled; a piece of a wall is not. */
 static bool is_small(const rs_component *c, rs_component_limits limits)
 {
     uint32_t wide = (uint32_t)c->max_x - c->min_x + 1u;
     uint32_t high = (uint32_t)c->max_y - c->min_y + 1u;
 
+    if (c->area == RS_COMPONENT_OPEN) {
+        return false;
+    }
     return c->area < limits.speck_cells ||
-           (c->area < RS_COMPONENT_OPEN && wide <= limits.clutter_cells &&
-            high <= limits.clutter_cells);
+           (rs_max_u32(wide, high) <= limits.clutter_cells && wide <= 2u * high &&
+            high <= 2u * wide && 3u * c->area >= wide * high);
 }
 
 /* Sets all cells of a small component to 1, from its anchor outwards. A cell enters the

@@ -29,7 +29,7 @@ RS_STATIC_ASSERT(sizeof(rs_component) == ROOMSEG_COMPONENT_BYTES, component);
 /* Which obstacles are small. */
 typedef struct rs_component_limits {
     uint32_t speck_cells;   /* fewer cells than this: noise */
-    uint32_t clutter_cells; /* bounding box at most this long on both sides: clutter */
+    uint32_t clutter_cells; /* compact and at most this long on both sides: clutter */
     bool diagonal;          /* cells that touch at a corner belong together */
 } rs_component_limits;
 

@@ -11,13 +11,15 @@ roomseg_config roomseg_config_default(void)
     config.free_max = 51;
     config.occupied_min = 204;
     config.speck_mm2 = 96000;
-    config.clutter_mm = 640;
+    config.clutter_mm = 1000;
     config.smallest_room_mm2 = 1000000;
     config.niche_mm2 = 3000000;
     config.isolated_permille = 10;
     config.room_opening_percent = 85;
     config.passage_opening_percent = 41;
     config.passage_min_neighbours = 3;
+    config.open_plan_percent = 50;
+    config.shared_wall_mm = 1000;
     config.unwalled_percent = 50;
     config.max_regions = 1024;
     config.max_rooms = 255;
@@ -37,6 +39,9 @@ int rs_config_check(const roomseg_config *config)
                 config->passage_opening_percent <= 100u &&
                 config->passage_min_neighbours >= 2u &&
                 config->passage_min_neighbours <= RS_MERGE_MAX_NEIGHBOURS &&
+                config->open_plan_percent >= 1u && config->open_plan_percent <= 100u &&
+                config->shared_wall_mm >= ROOMSEG_MIN_SHARED_WALL_MM &&
+                config->shared_wall_mm <= ROOMSEG_MAX_SHARED_WALL_MM &&
                 config->unwalled_percent <= 100u && config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
                 config->max_rooms >= 1u && config->max_rooms <= ROOMSEG_MAX_ROOMS &&
                 config->max_rooms <= config->max_regions;

@@ -105,7 +105,15 @@ typedef struct source {
     const rs_frame *frame;
     const roomseg_grid *grid;
     uint32_t occupied_min;
+    uint32_t wall_cells; /* thickest shared wall */
 } source;
+
+/* The walls in work: what lies before the obstacles of a row and of each column. */
+typedef struct wall_scan {
+    rs_column *columns;
+    uint32_t row_x;     /* last labelled cell of the row */
+    uint16_t row_label; /* its label; 0: none yet */
+} wall_scan;
 
 /* Notes a face between a cell of a region and the obstacle at crop position (x, y), which
  * may lie one cell outside of the crop and of the grid. */
@@ -161,9 +169,48 @@ static void measure_faces(const source *from, rs_region *regions, uint16_t here,
     }
 }
 
+static bool add_wall(edge_table *table, uint16_t p, uint16_t q)
+{
+    rs_edge *edge;
+
+    if (p == 0u || p == q) {
+        return true;
+    }
+    edge = edge_between(table, p, q);
+    if (edge != NULL) {
+        edge->wall++;
+    }
+    return edge != NULL;
+}
+
+/* Where a run of obstacles ends, to the right or below: does a thin wall end with it? */
+static bool measure_walls(const source *from, edge_table *table, wall_scan *scan, uint16_t here,
+                          uint16_t right, uint16_t lower, uint32_t x, uint32_t y)
+{
+    rs_column *column = &scan->columns[x];
+    bool stored = true;
+
+    if (here != 0u && right == 0u) {
+        scan->row_x = x;
+        scan->row_label = here;
+    }
+    if (here != 0u && lower == 0u) {
+        column->y = (uint16_t)y;
+        column->label = here;
+    }
+    if (here == 0u && right != 0u && x - scan->row_x <= from->wall_cells) {
+        stored = add_wall(table, scan->row_label, right);
+    }
+    if (here == 0u && lower != 0u && y - column->y <= from->wall_cells) {
+        stored = stored && add_wall(table, column->label, lower);
+    }
+    return stored;
+}
+
 /* One row of labels; `below` is NULL behind the last one. */
-static bool read_row(const source *from, edge_table *table, const uint8_t *height,
-                     const uint16_t *row, const uint16_t *below, uint32_t y)
+static bool read_row(const source *from, edge_table *table, wall_scan *scan,
+                     const uint8_t *height, const uint16_t *row, const uint16_t *below,
+                     uint32_t y)
 {
     const rs_frame *frame = from->frame;
     rs_region *regions = table->graph->regions;
@@ -178,6 +225,9 @@ static bool read_row(const source *from, edge_table *table, const uint8_t *heigh
 
         if (here == 0u || right == 0u || lower == 0u || x == 0u || y == 0u) {
             measure_faces(from, regions, here, right, lower, x, y);
+            if (!measure_walls(from, table, scan, here, right, lower, x, y)) {
+                return false;
+            }
         }
         if (here == 0u) {
             continue;
@@ -199,12 +249,14 @@ static bool read_row(const source *from, edge_table *table, const uint8_t *heigh
 
 int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   uint32_t max_edges, uint32_t *slots, rs_ticker *ticker)
+                   uint32_t max_edges, const rs_graph_scratch *scratch, rs_ticker *ticker)
 {
-    edge_table table = {graph, slots, 2u * max_edges, max_edges, NO_EDGE};
-    source from = {frame, grid, occupied_min};
+    edge_table table = {graph, scratch->slots, 2u * max_edges, max_edges, NO_EDGE};
+    source from = {frame, grid, occupied_min, RS_GRAPH_WALL_MM / grid->resolution_mm};
+    wall_scan scan = {scratch->columns, 0, 0};
 
     init(&table);
+    memset(scan.columns, 0, frame->width * sizeof *scan.columns);
     for (uint32_t y = 0; y < frame->height; y++) {
         const uint16_t *row = labels->cells + (size_t)y * labels->stride;
         const uint16_t *below = y + 1u < frame->height ? row + labels->stride : NULL;
@@ -212,7 +264,9 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
         if (rs_tick(ticker, frame->width, y, frame->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        if (!read_row(&from, &table, surface + rs_frame_index(frame, 0, y), row, below, y)) {
+        scan.row_label = 0;
+        if (!read_row(&from, &table, &scan, surface + rs_frame_index(frame, 0, y), row, below,
+                      y)) {
             return ROOMSEG_ERR_REGIONS;
         }
     }

@@ -19,14 +19,15 @@ typedef struct rs_region {
     uint16_t unwalled;       /* 1: a root with too few walls around it, see rs_merge_run */
 } rs_region;
 
-/* Two regions that touch. The half-edges 2e and 2e + 1 of edge e stand in the circular
+/* Two regions that touch or lie on both sides of one thin wall. The half-edges 2e and 2e + 1 of edge e stand in the circular
  * lists of regions a and b. */
 typedef struct rs_edge {
     uint16_t a, b;      /* labels, a < b */
     uint16_t x, y;      /* where the opening is widest, crop coordinates */
     uint32_t saddle;    /* greatest, over the shared border, of the smaller of the distances
-                           on both sides [RS_DISTANCE_UNIT_MM] */
+                           on both sides [RS_DISTANCE_UNIT_MM]; 0: they do not touch */
     uint32_t border;    /* shared border [pairs of 4-adjacent cells] */
+    uint32_t wall;      /* shared wall: rows and columns that cross it [cells of length] */
     uint32_t next[2];   /* next half-edge in the lists of a and b */
 } rs_edge;
 
@@ -34,6 +35,22 @@ typedef struct rs_edge {
 
 RS_STATIC_ASSERT(sizeof(rs_region) == ROOMSEG_REGION_BYTES, region);
 RS_STATIC_ASSERT(sizeof(rs_edge) == ROOMSEG_EDGE_BYTES, edge);
+
+/* The last labelled cell of a column on the way down. */
+typedef struct rs_column {
+    uint16_t label, y;
+} rs_column;
+
+RS_STATIC_ASSERT(sizeof(rs_column) == ROOMSEG_COLUMN_BYTES, column);
+
+/* Scratch of rs_graph_build, no preparation needed. */
+typedef struct rs_graph_scratch {
+    uint32_t *slots;    /* ROOMSEG_PLAN_SLOTS(n), n as for max_edges */
+    rs_column *columns; /* frame->width */
+} rs_graph_scratch;
+
+/* Obstacles of at most this thickness between two regions are a wall that they share. */
+#define RS_GRAPH_WALL_MM 350u
 
 typedef struct rs_graph {
     rs_region *regions;
@@ -56,11 +73,11 @@ static inline uint32_t rs_graph_next_half(const rs_graph *graph, uint32_t half)
 
 /* Measures the regions and their openings in one reading of the labels.
  * graph: regions of region_count + 1 elements and edges of max_edges, to be filled.
- * slots: ROOMSEG_PLAN_SLOTS(n) for the n of max_edges = ROOMSEG_PLAN_EDGES(n), scratch.
- * Fails iff: cancelled, or more than max_edges pairs of regions touch (ROOMSEG_ERR_REGIONS;
- * not for regions of rs_watershed_run, whose graph is planar). */
+ * max_edges: ROOMSEG_PLAN_EDGES(n) for some n.
+ * Fails iff: cancelled, or more than max_edges pairs of regions touch or share a wall
+ * (ROOMSEG_ERR_REGIONS; pairs that touch are fewer than 3 a region, as in every plane map). */
 int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   uint32_t max_edges, uint32_t *slots, rs_ticker *ticker);
+                   uint32_t max_edges, const rs_graph_scratch *scratch, rs_ticker *ticker);
 
 #endif

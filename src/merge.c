@@ -89,12 +89,13 @@ static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t
     half = start;
     while (half != RS_NO_HALF) {
         uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
+        bool touches = graph->edges[half >> 1].saddle > 0u;
         uint32_t i = 0;
 
         while (i < seen_count && seen[i] != other) {
             i++;
         }
-        if (i == seen_count && graph->regions[other].area >= smallest) {
+        if (touches && i == seen_count && graph->regions[other].area >= smallest) {
             seen[seen_count++] = other;
             if (seen_count == wanted) {
                 return true;
@@ -108,7 +109,8 @@ static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t
     return false;
 }
 
-/* Keys of edges that the opening rules join are at least this, those of niches below. */
+/* Keys of edges that the opening rules join are at least this; niches come below, from 9/20
+ * to 1/2 of it, and what is open without a wall last, up to 1/4. */
 #define OPENING_KEY 32768u
 
 /* How open an edge is: 0 when saddle < percent/100 * sqrt(p * q), else OPENING_KEY times
@@ -133,22 +135,35 @@ static uint32_t niche_key(uint32_t niche_cells, const rs_region *region, uint32_
     return niche ? saddle * (OPENING_KEY / 2u) / region->peak : 0u;
 }
 
-/* The key of an edge under the rules as the graph stands; 0: the regions stay apart. With
- * `hopeful` the passage rule counts as met, which gives an upper bound without a look at
- * neighbours. */
-static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
+/* Length of the wall between two roots, summed up to at most `limit` and beyond. */
+static uint32_t shared_wall(rs_graph *graph, uint16_t a, uint16_t b, uint32_t limit)
 {
-    const rs_edge *edge = &graph->edges[e];
-    uint16_t a = rs_merge_root(graph->regions, edge->a);
-    uint16_t b = rs_merge_root(graph->regions, edge->b);
-    const rs_region *p = &graph->regions[a], *q = &graph->regions[b];
-    uint32_t as_room, as_passage;
+    bool walk_a = graph->regions[a].area < graph->regions[b].area;
+    uint16_t root = walk_a ? a : b, target = walk_a ? b : a;
+    uint32_t start = next_outward(graph, root, graph->regions[root].first_half);
+    uint32_t half = start, wall = 0;
 
-    if (a == b || p->peak == 0u || q->peak == 0u) {
-        return 0;
+    while (half != RS_NO_HALF && wall < limit) {
+        if (rs_merge_root(graph->regions, rs_graph_other_end(graph, half)) == target) {
+            wall += graph->edges[half >> 1].wall;
+        }
+        half = next_outward(graph, root, half);
+        if (half == start) {
+            break;
+        }
     }
-    as_room = openness(edge->saddle, p->peak, q->peak, rules->room_opening_percent);
-    as_passage = openness(edge->saddle, p->peak, q->peak, rules->passage_opening_percent);
+    return wall;
+}
+
+/* The key of an edge by its opening alone. With `hopeful` the passage rule counts as met,
+ * which gives an upper bound without a look at neighbours. */
+static uint32_t opening_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t saddle,
+                            uint16_t a, uint16_t b, bool hopeful)
+{
+    const rs_region *p = &graph->regions[a], *q = &graph->regions[b];
+    uint32_t as_room = openness(saddle, p->peak, q->peak, rules->room_opening_percent);
+    uint32_t as_passage = openness(saddle, p->peak, q->peak, rules->passage_opening_percent);
+
     if (as_passage > as_room &&
         (hopeful ||
          (is_passage(graph, a, rules->passage_min_neighbours, rules->smallest_cells) &&
@@ -156,8 +171,34 @@ static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t 
         return as_passage;
     }
     return as_room > 0u ? as_room
-                        : rs_max_u32(niche_key(rules->niche_cells, p, edge->saddle),
-                                     niche_key(rules->niche_cells, q, edge->saddle));
+                        : rs_max_u32(niche_key(rules->niche_cells, p, saddle),
+                                     niche_key(rules->niche_cells, q, saddle));
+}
+
+/* The key of an edge under the rules as the graph stands; 0: the regions stay apart. */
+static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
+{
+    uint32_t saddle = graph->edges[e].saddle;
+    uint16_t a = rs_merge_root(graph->regions, graph->edges[e].a);
+    uint16_t b = rs_merge_root(graph->regions, graph->edges[e].b);
+    uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
+    uint32_t key, open_plan, wall;
+
+    if (a == b || saddle == 0u || p == 0u || q == 0u) {
+        return 0;
+    }
+    key = opening_key(rules, graph, saddle, a, b, hopeful);
+    open_plan = openness(saddle, p, q, rules->open_plan_percent) != 0u
+                    ? saddle * saddle * (OPENING_KEY / 4u) / (p * q) + 1u
+                    : 0u;
+    if (key == 0u && open_plan == 0u) {
+        return 0;
+    }
+    wall = shared_wall(graph, a, b, rules->shared_wall_cells);
+    if (wall >= rules->shared_wall_cells) {
+        return 0;
+    }
+    return wall <= rules->no_wall_cells ? rs_max_u32(key, open_plan) : key;
 }
 
 /* One sweep over all edges, best first. Keys can only fall while a sweep goes on, but for
@@ -208,10 +249,11 @@ static uint32_t widest_half(rs_graph *graph, uint16_t root)
         const rs_edge *edge = &graph->edges[half >> 1];
         const rs_edge *champion = &graph->edges[best == RS_NO_HALF ? 0u : best >> 1];
 
-        if (best == RS_NO_HALF || edge->saddle > champion->saddle ||
-            (edge->saddle == champion->saddle &&
-             (edge->border > champion->border ||
-              (edge->border == champion->border && half < best)))) {
+        if (edge->saddle > 0u &&
+            (best == RS_NO_HALF || edge->saddle > champion->saddle ||
+             (edge->saddle == champion->saddle &&
+              (edge->border > champion->border ||
+               (edge->border == champion->border && half < best))))) {
             best = half;
         }
         half = next_outward(graph, root, half);
@@ -309,11 +351,13 @@ static bool joins_walled(rs_graph *graph, uint16_t root)
     start = next_outward(graph, root, graph->regions[root].first_half);
     for (half = start; half != RS_NO_HALF;) {
         uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
+        bool walled = graph->regions[other].unwalled == 0u &&
+                      graph->edges[half >> 1].saddle > 0u;
 
-        if (graph->regions[other].unwalled == 0u && first != 0u && other != first) {
+        if (walled && first != 0u && other != first) {
             return true;
         }
-        first = graph->regions[other].unwalled == 0u ? other : first;
+        first = walled ? other : first;
         half = next_outward(graph, root, half);
         if (half == start) {
             break;

@@ -13,6 +13,9 @@ typedef struct rs_merge_rules {
     uint32_t niche_cells;            /* smaller regions stand alone only behind a narrowing */
     uint32_t room_opening_percent;   /* 1..100 */
     uint32_t passage_opening_percent;
+    uint32_t open_plan_percent;      /* 1..100 */
+    uint32_t no_wall_cells;          /* at most this much shared wall is none */
+    uint32_t shared_wall_cells;      /* from here on two regions stay apart */
     uint32_t passage_min_neighbours; /* 2..RS_MERGE_MAX_NEIGHBOURS */
     uint32_t unwalled_percent;       /* 0..100, see roomseg_config */
 } rs_merge_rules;

@@ -22,7 +22,7 @@ typedef struct rs_buffers {
     uint32_t queue_block_count;
     rs_graph graph;
     uint32_t max_edges;
-    uint32_t *slots;
+    rs_graph_scratch graph_scratch;
     rs_heap_item *heap;
     rs_room_records records;
 } rs_buffers;
@@ -50,7 +50,8 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->graph.region_count = 0;
     b->graph.edge_count = 0;
     b->max_edges = (uint32_t)ROOMSEG_PLAN_EDGES(config->max_regions);
-    b->slots = AT(slots);
+    b->graph_scratch.slots = AT(slots);
+    b->graph_scratch.columns = AT(columns);
     b->heap = AT(heap);
     b->records.rooms = AT(rooms);
     b->records.sums = AT(room_sums);
@@ -68,6 +69,9 @@ static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
     return area_mm2 / cell_mm2 + (area_mm2 % cell_mm2 != 0u); /* rounded up */
 }
 
+/* Shared wall below this length is a trick of the raster: a corner, a door frame. */
+#define NO_WALL_MM 60u
+
 static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm,
                                   const rs_graph *graph)
 {
@@ -84,6 +88,9 @@ static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolut
                                       total / 1000u * config->isolated_permille);
     rules.room_opening_percent = config->room_opening_percent;
     rules.passage_opening_percent = config->passage_opening_percent;
+    rules.open_plan_percent = config->open_plan_percent;
+    rules.no_wall_cells = NO_WALL_MM / resolution_mm;
+    rules.shared_wall_cells = config->shared_wall_mm / resolution_mm;
     rules.passage_min_neighbours = config->passage_min_neighbours;
     rules.unwalled_percent = config->unwalled_percent;
     return rules;
@@ -109,7 +116,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
                                       &b->graph.region_count, &queue, ticker));
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
-                                b->max_edges, b->slots, ticker));
+                                b->max_edges, &b->graph_scratch, ticker));
     if (status == ROOMSEG_OK) {
         rules = merge_rules(config, mm, &b->graph);
     }

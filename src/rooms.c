@@ -204,7 +204,7 @@ int rs_rooms_connect(const rs_frame *frame, uint32_t resolution_mm, const rs_gra
     for (uint32_t e = 0; e < graph->edge_count; e++) {
         uint16_t a = graph->regions[graph->edges[e].a].room;
         uint16_t b = graph->regions[graph->edges[e].b].room;
-        if (a != b && a != 0u && b != 0u) {
+        if (a != b && a != 0u && b != 0u && graph->edges[e].saddle > 0u) {
             uint32_t pair = a < b ? (uint32_t)a << 16 | b : (uint32_t)b << 16 | a;
             rs_heap_push(&heap, UINT32_MAX - pair, e);
         }

@@ -28,6 +28,8 @@ static const numeric_field numeric_fields[] = {
     FIELD(room_opening_percent),
     FIELD(passage_opening_percent),
     FIELD(passage_min_neighbours),
+    FIELD(open_plan_percent),
+    FIELD(shared_wall_mm),
     FIELD(unwalled_percent),
     FIELD(max_regions),
     FIELD(max_rooms),

@@ -27,7 +27,8 @@
 #define ROOMSEG_QUEUE_BLOCK_BYTES 32u
 #define ROOMSEG_QUEUE_BLOCK_CELLS 7u
 #define ROOMSEG_REGION_BYTES 32u
-#define ROOMSEG_EDGE_BYTES 24u
+#define ROOMSEG_EDGE_BYTES 28u
+#define ROOMSEG_COLUMN_BYTES 4u
 #define ROOMSEG_HEAP_ITEM_BYTES 8u
 #define ROOMSEG_ROOM_BYTES 40u
 #define ROOMSEG_ROOM_SUM_BYTES 16u
@@ -46,8 +47,9 @@
 #define ROOMSEG_PLAN_QUEUE_BLOCKS(w, h) \
     (ROOMSEG_PLAN_CELLS(w, h) / (4u * ROOMSEG_QUEUE_BLOCK_CELLS) + 512u)
 
-/* A region graph is planar: fewer than 3 edges a region. Hash slots: twice the regions
- * times 3, so that at most half of them are taken. */
+/* Pairs of regions that touch are fewer than 3 a region, since the map is plane; pairs that
+ * only share a wall come out of what is left. Hash slots: twice as many as edges, so that
+ * at most half of them are taken. */
 #define ROOMSEG_PLAN_EDGES(regions) ((size_t)(regions) * 3u)
 #define ROOMSEG_PLAN_SLOTS(regions) ((size_t)(regions) * 6u)
 
@@ -69,6 +71,7 @@
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 4, 6)                         \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 4, 6)                        \
     X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_regions), 4, 4)                                        \
+    X(S, columns, ROOMSEG_COLUMN_BYTES, (size_t)(w), 4, 4)                                        \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 5, 6)                    \
     X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                                    \
     X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 6, 6)                            \
@@ -136,6 +139,7 @@
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_rooms) + 1u, 5, 6)                   \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 5, 6)                  \
     X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_rooms), 5, 5)                                  \
+    X(S, columns, ROOMSEG_COLUMN_BYTES, (size_t)(w), 5, 5)                                \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)              \
     X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                            \
     X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 6, 6)                    \
@@ -173,7 +177,7 @@
 
 /* The same for the default profile's parameters. */
 #define ROOMSEG_ARENA_SIZE_DEFAULT(w, h, resolution_mm)                                  \
-    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 640u, resolution_mm), 1024u, 255u)
+    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 1000u, resolution_mm), 1024u, 255u)
 
 /* The same with config.align set; inner: what the profile's macro gives for w =
  * ROOMSEG_PLAN_TURNED_WIDTH and h = ROOMSEG_PLAN_TURNED_HEIGHT of the crop. */
@@ -192,7 +196,7 @@
 /* The default profile's parameters and ROOMSEG_ALIGN_ON. */
 #define ROOMSEG_ARENA_SIZE_DEFAULT_ALIGNED(w, h, resolution_mm)                              \
     ROOMSEG_ARENA_SIZE_ALIGNED(                                                              \
-        w, h, ROOMSEG_PLAN_SMALL(96000u, 640u, resolution_mm), 255u,                         \
+        w, h, ROOMSEG_PLAN_SMALL(96000u, 1000u, resolution_mm), 255u,                         \
         ROOMSEG_ARENA_SIZE_DEFAULT(ROOMSEG_PLAN_TURNED_WIDTH(w, h),                          \
                                    ROOMSEG_PLAN_TURNED_HEIGHT(w, h), resolution_mm))
 

@@ -45,6 +45,8 @@ extern "C" {
 #define ROOMSEG_MAX_SPECK_MM2 4000000u
 #define ROOMSEG_MAX_CLUTTER_MM 2000u
 #define ROOMSEG_MAX_SMALLEST_ROOM_MM2 4000000000u
+#define ROOMSEG_MIN_SHARED_WALL_MM 200u
+#define ROOMSEG_MAX_SHARED_WALL_MM 10000000u
 #define ROOMSEG_MAX_REGIONS 65534u
 #define ROOMSEG_MAX_ROOMS 16384u
 
@@ -138,9 +140,10 @@ typedef struct roomseg_config {
      * 60 cells of 4 cm. Their cells below occupied_min carry the label of the room around. */
     uint32_t speck_mm2;
 
-    /* The same for free-standing obstacles whose bounding box is at most this long on both
-     * sides: chair and table legs, a bin. [mm], 0 (none)..ROOMSEG_MAX_CLUTTER_MM; default
-     * 640. */
+    /* The same for compact free-standing obstacles, such as a table, a bin, a pillar: the
+     * bounding box at most this long on both sides, neither side more than twice the other,
+     * and at least a third of it filled. [mm], 0 (none)..ROOMSEG_MAX_CLUTTER_MM; default
+     * 1000. */
     uint32_t clutter_mm;
 
     /* Regions below this area never stand as a room of their own [mm2],
@@ -165,6 +168,15 @@ typedef struct roomseg_config {
     uint32_t passage_opening_percent;
     uint32_t passage_min_neighbours;
 
+    /* Walls between two regions, that is, obstacles of at most 350 mm with the one region
+     * on this side and the other on that, tell more than the width of their opening.
+     * Without a shared wall they are one room from this opening on: 1..100, the same measure
+     * as room_opening_percent; default 50. From this length of shared wall on they are two
+     * rooms, whatever the opening [mm], ROOMSEG_MIN_SHARED_WALL_MM..
+     * ROOMSEG_MAX_SHARED_WALL_MM; default 1000. */
+    uint32_t open_plan_percent;
+    uint32_t shared_wall_mm;
+
     /* What was only seen through a window or an open door is no room: its border consists
      * of walls (cells of occupied_min or more) by less than this percentage of the share
      * that walls have in the border of the whole map. Such rooms below a tenth of the whole
@@ -174,7 +186,8 @@ typedef struct roomseg_config {
     uint32_t unwalled_percent;
 
     /* Capacities; the arena grows with them (see ROOMSEG_ARENA_SIZE). More regions
-     * or rooms than these end the run with ROOMSEG_ERR_REGIONS / _ROOMS.
+     * or rooms than these end the run with ROOMSEG_ERR_REGIONS / _ROOMS; so do more than
+     * 3 * max_regions pairs of regions that touch or share a wall.
      * max_regions: 1..ROOMSEG_MAX_REGIONS, default 1024.
      * max_rooms: 1..max_regions and ROOMSEG_MAX_ROOMS, default 255. */
     uint32_t max_regions;

@@ -17,6 +17,8 @@ const config_field config_fields[] = {
     FIELD(room_opening_percent, 1, 100),
     FIELD(passage_opening_percent, 1, 100),
     FIELD(passage_min_neighbours, 2, 8),
+    FIELD(open_plan_percent, 1, 100),
+    FIELD(shared_wall_mm, ROOMSEG_MIN_SHARED_WALL_MM, ROOMSEG_MAX_SHARED_WALL_MM),
     FIELD(unwalled_percent, 0, 100),
     FIELD(max_regions, 1, ROOMSEG_MAX_REGIONS),
     FIELD(max_rooms, 1, 1024), /* at most max_regions, which is 1024 by default */

@@ -5,6 +5,9 @@
 #include "base.h"
 #include "watershed.h"
 
+/* How much of a region's border is walls. */
+enum { RS_WALLED = 0, RS_POORLY_WALLED, RS_HARDLY_WALLED };
+
 /* One region of the watershed; regions[label], regions[0] is unused. */
 typedef struct rs_region {
     uint32_t area;           /* cells that may carry a label */
@@ -16,7 +19,7 @@ typedef struct rs_region {
     uint16_t parent;         /* region it was merged into; its own label: a root */
     uint16_t peak;           /* that greatest distance [RS_DISTANCE_UNIT_MM] */
     uint16_t room;           /* label of the room it belongs to; 0: none */
-    uint16_t unwalled;       /* 1: a root with too few walls around it, see rs_merge_run */
+    uint16_t unwalled;       /* of a root: RS_WALLED and so on, set by rs_merge_run */
 } rs_region;
 
 /* Two regions that touch or lie on both sides of one thin wall. The half-edges 2e and 2e + 1 of edge e stand in the circular

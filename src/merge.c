@@ -1,79 +1,6 @@
 #include "merge.h"
 
-uint16_t rs_merge_root(rs_region *regions, uint16_t region)
-{
-    while (regions[region].parent != region) {
-        regions[region].parent = regions[regions[region].parent].parent;
-        region = regions[region].parent;
-    }
-    return region;
-}
-
-static void splice_lists(rs_graph *graph, uint32_t a, uint32_t b)
-{
-    uint32_t *next_a, *next_b, swap;
-
-    if (a == RS_NO_HALF || b == RS_NO_HALF) {
-        return;
-    }
-    next_a = &graph->edges[a >> 1].next[a & 1u];
-    next_b = &graph->edges[b >> 1].next[b & 1u];
-    swap = *next_a;
-    *next_a = *next_b;
-    *next_b = swap;
-}
-
-/* Joins two roots; the larger one remains a root. */
-static uint16_t unite(rs_graph *graph, uint16_t p, uint16_t q)
-{
-    rs_region *regions = graph->regions;
-    bool keep_p = regions[p].area > regions[q].area || (regions[p].area == regions[q].area && p < q);
-    uint16_t root = keep_p ? p : q;
-    rs_region *into = &regions[root];
-    const rs_region *from = &regions[keep_p ? q : p];
-
-    splice_lists(graph, into->first_half, from->first_half);
-    if (into->first_half == RS_NO_HALF) {
-        into->first_half = from->first_half;
-    }
-    if (from->area > 0u && (into->area == 0u || from->first_cell < into->first_cell)) {
-        into->first_cell = from->first_cell;
-    }
-    if (from->peak > into->peak) {
-        into->peak = from->peak;
-        into->peak_x = from->peak_x;
-        into->peak_y = from->peak_y;
-    }
-    into->area += from->area;
-    into->border += from->border;
-    into->walls += from->walls;
-    regions[keep_p ? q : p].parent = root;
-    return root;
-}
-
-/* Steps from half-edge `half` to the next one in the list of `root` that leads to another
- * root; takes those that have become internal out of the list. RS_NO_HALF: none is left. */
-static uint32_t next_outward(rs_graph *graph, uint16_t root, uint32_t half)
-{
-    rs_region *region = &graph->regions[root];
-
-    for (;;) {
-        uint32_t *link = &graph->edges[half >> 1].next[half & 1u];
-        uint32_t next = *link;
-
-        if (rs_merge_root(graph->regions, rs_graph_other_end(graph, next)) != root) {
-            return next;
-        }
-        if (next == half) {
-            region->first_half = RS_NO_HALF;
-            return RS_NO_HALF;
-        }
-        *link = rs_graph_next_half(graph, next);
-        if (region->first_half == next) {
-            region->first_half = half;
-        }
-    }
-}
+#include "cluster.h"
 
 /* Whether a root has at least `wanted` distinct neighbours of at least `smallest` cells. */
 static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t smallest)
@@ -82,13 +9,10 @@ static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t
     uint32_t seen_count = 0;
     uint32_t start, half;
 
-    if (graph->regions[root].first_half == RS_NO_HALF) {
-        return false;
-    }
-    start = next_outward(graph, root, graph->regions[root].first_half);
+    start = rs_cluster_first(graph, root);
     half = start;
     while (half != RS_NO_HALF) {
-        uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
+        uint16_t other = rs_cluster_root(graph->regions, rs_graph_other_end(graph, half));
         bool touches = graph->edges[half >> 1].saddle > 0u;
         uint32_t i = 0;
 
@@ -101,7 +25,7 @@ static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t
                 return true;
             }
         }
-        half = next_outward(graph, root, half);
+        half = rs_cluster_next(graph, root, half);
         if (half == start) {
             break;
         }
@@ -140,14 +64,14 @@ static uint32_t shared_wall(rs_graph *graph, uint16_t a, uint16_t b, uint32_t li
 {
     bool walk_a = graph->regions[a].area < graph->regions[b].area;
     uint16_t root = walk_a ? a : b, target = walk_a ? b : a;
-    uint32_t start = next_outward(graph, root, graph->regions[root].first_half);
+    uint32_t start = rs_cluster_first(graph, root);
     uint32_t half = start, wall = 0;
 
     while (half != RS_NO_HALF && wall < limit) {
-        if (rs_merge_root(graph->regions, rs_graph_other_end(graph, half)) == target) {
+        if (rs_cluster_root(graph->regions, rs_graph_other_end(graph, half)) == target) {
             wall += graph->edges[half >> 1].wall;
         }
-        half = next_outward(graph, root, half);
+        half = rs_cluster_next(graph, root, half);
         if (half == start) {
             break;
         }
@@ -179,8 +103,8 @@ static uint32_t opening_key(const rs_merge_rules *rules, rs_graph *graph, uint32
 static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
 {
     uint32_t saddle = graph->edges[e].saddle;
-    uint16_t a = rs_merge_root(graph->regions, graph->edges[e].a);
-    uint16_t b = rs_merge_root(graph->regions, graph->edges[e].b);
+    uint16_t a = rs_cluster_root(graph->regions, graph->edges[e].a);
+    uint16_t b = rs_cluster_root(graph->regions, graph->edges[e].b);
     uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
     uint32_t key, open_plan, wall;
 
@@ -226,8 +150,8 @@ static int sweep(const rs_merge_rules *rules, rs_graph *graph, rs_heap *heap, ui
             rs_heap_push(heap, key, best.item);
         } else if (key > 0u) {
             const rs_edge *edge = &graph->edges[best.item];
-            unite(graph, rs_merge_root(graph->regions, edge->a),
-                  rs_merge_root(graph->regions, edge->b));
+            rs_cluster_unite(graph, rs_cluster_root(graph->regions, edge->a),
+                  rs_cluster_root(graph->regions, edge->b));
             ++*merged;
         }
     }
@@ -241,10 +165,7 @@ static uint32_t widest_half(rs_graph *graph, uint16_t root)
     uint32_t best = RS_NO_HALF;
     uint32_t start, half;
 
-    if (graph->regions[root].first_half == RS_NO_HALF) {
-        return RS_NO_HALF;
-    }
-    start = next_outward(graph, root, graph->regions[root].first_half);
+    start = rs_cluster_first(graph, root);
     for (half = start; half != RS_NO_HALF;) {
         const rs_edge *edge = &graph->edges[half >> 1];
         const rs_edge *champion = &graph->edges[best == RS_NO_HALF ? 0u : best >> 1];
@@ -256,7 +177,7 @@ static uint32_t widest_half(rs_graph *graph, uint16_t root)
                (edge->border == champion->border && half < best))))) {
             best = half;
         }
-        half = next_outward(graph, root, half);
+        half = rs_cluster_next(graph, root, half);
         if (half == start) {
             break;
         }
@@ -289,94 +210,14 @@ static int absorb_small(const rs_merge_rules *rules, rs_graph *graph, rs_heap *h
         }
         half = widest_half(graph, root);
         if (half != RS_NO_HALF) {
-            uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
-            uint16_t joined = unite(graph, root, other);
+            uint16_t other = rs_cluster_root(graph->regions, rs_graph_other_end(graph, half));
+            uint16_t joined = rs_cluster_unite(graph, root, other);
             if (graph->regions[joined].area < rules->smallest_cells) {
                 rs_heap_push(heap, UINT32_MAX - graph->regions[joined].area, joined);
             }
         }
     }
     return ROOMSEG_OK;
-}
-
-static void drop_isolated(const rs_merge_rules *rules, rs_graph *graph)
-{
-    for (uint32_t r = 1; r <= graph->region_count; r++) {
-        rs_region *region = &graph->regions[r];
-        if (region->parent == r && region->area < rules->isolated_cells &&
-            widest_half(graph, (uint16_t)r) == RS_NO_HALF) {
-            region->area = 0;
-        }
-    }
-}
-
-#define MAP_WALLS_PERCENT 40u     /* least share of walls in the whole border */
-#define UNWALLED_AREA_PERCENT 10u /* largest share of the whole area */
-
-/* Marks the roots that are small against the map and bounded by walls far less than the map
- * as a whole. On maps that do not mark their walls as certain obstacles nothing can be told,
- * so nothing is marked. */
-static void mark_unwalled(const rs_merge_rules *rules, rs_graph *graph)
-{
-    uint64_t area = 0, border = 0, walls = 0;
-
-    for (uint32_t r = 1; r <= graph->region_count; r++) {
-        const rs_region *region = &graph->regions[r];
-        if (region->parent == r && region->area > 0u) {
-            area += region->area;
-            border += region->border;
-            walls += region->walls;
-        }
-    }
-    if (walls * 100u < border * MAP_WALLS_PERCENT) {
-        return;
-    }
-    for (uint32_t r = 1; r <= graph->region_count; r++) {
-        rs_region *region = &graph->regions[r];
-        region->unwalled =
-            region->parent == r && region->area * 100ull < area * UNWALLED_AREA_PERCENT &&
-            region->walls * border * 100u < region->border * walls * rules->unwalled_percent;
-    }
-}
-
-/* Whether a root touches two roots or more that are not marked as unwalled. */
-static bool joins_walled(rs_graph *graph, uint16_t root)
-{
-    uint32_t start, half;
-    uint16_t first = 0;
-
-    if (graph->regions[root].first_half == RS_NO_HALF) {
-        return false;
-    }
-    start = next_outward(graph, root, graph->regions[root].first_half);
-    for (half = start; half != RS_NO_HALF;) {
-        uint16_t other = rs_merge_root(graph->regions, rs_graph_other_end(graph, half));
-        bool walled = graph->regions[other].unwalled == 0u &&
-                      graph->edges[half >> 1].saddle > 0u;
-
-        if (walled && first != 0u && other != first) {
-            return true;
-        }
-        first = walled ? other : first;
-        half = next_outward(graph, root, half);
-        if (half == start) {
-            break;
-        }
-    }
-    return false;
-}
-
-/* Drops what the sensor saw through windows and open doors: unwalled dead ends. What leads
- * from one room to another was crossed by the robot. */
-static void drop_unwalled(const rs_merge_rules *rules, rs_graph *graph)
-{
-    mark_unwalled(rules, graph);
-    for (uint32_t r = 1; r <= graph->region_count; r++) {
-        rs_region *region = &graph->regions[r];
-        if (region->unwalled != 0u && !joins_walled(graph, (uint16_t)r)) {
-            region->area = 0;
-        }
-    }
 }
 
 int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *heap_items,
@@ -389,12 +230,5 @@ int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *hea
     while (status == ROOMSEG_OK && merged > 0u) {
         status = sweep(rules, graph, &heap, &merged, ticker);
     }
-    if (status == ROOMSEG_OK) {
-        status = absorb_small(rules, graph, &heap, ticker);
-    }
-    if (status == ROOMSEG_OK) {
-        drop_isolated(rules, graph);
-        drop_unwalled(rules, graph);
-    }
-    return status;
+    return status == ROOMSEG_OK ? absorb_small(rules, graph, &heap, ticker) : status;
 }

@@ -9,7 +9,6 @@
 /* The config's rules in cells. */
 typedef struct rs_merge_rules {
     uint32_t smallest_cells;         /* smaller regions never stand alone */
-    uint32_t isolated_cells;         /* smaller regions without neighbour are dropped */
     uint32_t niche_cells;            /* smaller regions stand alone only behind a narrowing */
     uint32_t room_opening_percent;   /* 1..100 */
     uint32_t passage_opening_percent;
@@ -17,19 +16,15 @@ typedef struct rs_merge_rules {
     uint32_t no_wall_cells;          /* at most this much shared wall is none */
     uint32_t shared_wall_cells;      /* from here on two regions stay apart */
     uint32_t passage_min_neighbours; /* 2..RS_MERGE_MAX_NEIGHBOURS */
-    uint32_t unwalled_percent;       /* 0..100, see roomseg_config */
 } rs_merge_rules;
 
 #define RS_MERGE_MAX_NEIGHBOURS 8u
 
 /* Merges regions, the best opening first, then lets the small ones join the neighbour with
  * the widest opening, smallest first. Only the regions' parent, area, peak and first_cell
- * change; roots stand for what was merged. A root that is dropped gets area 0.
+ * change; roots stand for what was merged.
  * heap: max_regions * 3 elements of scratch. */
 int rs_merge_run(const rs_merge_rules *rules, rs_graph *graph, rs_heap_item *heap,
                  rs_ticker *ticker);
-
-/* The root of a region. */
-uint16_t rs_merge_root(rs_region *regions, uint16_t region);
 
 #endif

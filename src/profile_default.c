@@ -4,6 +4,7 @@
 
 #include "components.h"
 #include "distance.h"
+#include "drop.h"
 #include "graph.h"
 #include "merge.h"
 #include "plan.h"
@@ -72,28 +73,32 @@ static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
 /* Shared wall below this length is a trick of the raster: a corner, a door frame. */
 #define NO_WALL_MM 60u
 
-static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm,
-                                  const rs_graph *graph)
+static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm)
 {
     uint32_t cell_mm2 = resolution_mm * resolution_mm;
-    uint32_t total = 0;
     rs_merge_rules rules;
 
-    for (uint32_t r = 1; r <= graph->region_count; r++) {
-        total += graph->regions[r].area;
-    }
     rules.smallest_cells = cells_of(config->smallest_room_mm2, cell_mm2);
     rules.niche_cells = cells_of(config->niche_mm2, cell_mm2);
-    rules.isolated_cells = rs_max_u32(rules.smallest_cells,
-                                      total / 1000u * config->isolated_permille);
     rules.room_opening_percent = config->room_opening_percent;
     rules.passage_opening_percent = config->passage_opening_percent;
     rules.open_plan_percent = config->open_plan_percent;
     rules.no_wall_cells = NO_WALL_MM / resolution_mm;
     rules.shared_wall_cells = config->shared_wall_mm / resolution_mm;
     rules.passage_min_neighbours = config->passage_min_neighbours;
-    rules.unwalled_percent = config->unwalled_percent;
     return rules;
+}
+
+/* Smallest region that may stand without a neighbour. */
+static uint32_t isolated_cells(const roomseg_config *config, uint32_t smallest_cells,
+                               const rs_graph *graph)
+{
+    uint32_t total = 0;
+
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        total += graph->regions[r].area;
+    }
+    return rs_max_u32(smallest_cells, total / 1000u * config->isolated_permille);
 }
 
 /* Stages behind the crop, on placed buffers. */
@@ -102,7 +107,8 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                       rs_ticker *ticker)
 {
     uint32_t mm = grid->resolution_mm;
-    rs_merge_rules rules;
+    rs_merge_rules rules = merge_rules(config, mm);
+    uint32_t isolated = 0;
     rs_queue queue;
     int status;
 
@@ -118,9 +124,12 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, &b->graph_scratch, ticker));
     if (status == ROOMSEG_OK) {
-        rules = merge_rules(config, mm, &b->graph);
+        isolated = isolated_cells(config, rules.smallest_cells, &b->graph);
     }
     STAGE(MERGE, rs_merge_run(&rules, &b->graph, b->heap, ticker));
+    if (status == ROOMSEG_OK) {
+        rs_drop_run(isolated, config->unwalled_percent, &b->graph);
+    }
     STAGE(ROOMS, rs_rooms_number(&b->graph, &b->records, b->heap));
     if (status == ROOMSEG_OK) {
         status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,

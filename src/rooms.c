@@ -2,8 +2,8 @@
 
 #include <string.h>
 
+#include "cluster.h"
 #include "distance.h"
-#include "merge.h"
 
 /* Roots in falling order of area; equal areas in reading order. The rooms' link_first
  * serves as a list of roots in reading order meanwhile. */
@@ -35,7 +35,7 @@ int rs_rooms_number(rs_graph *graph, rs_room_records *records, rs_heap_item *hea
         regions[root].room = (uint16_t)(i + 1u);
     }
     for (uint32_t r = 1; r <= graph->region_count; r++) {
-        regions[r].room = regions[rs_merge_root(regions, (uint16_t)r)].room;
+        regions[r].room = regions[rs_cluster_root(regions, (uint16_t)r)].room;
     }
     records->room_count = count;
     return ROOMSEG_OK;

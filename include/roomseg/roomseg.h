@@ -180,9 +180,9 @@ typedef struct roomseg_config {
     /* What was only seen through a window or an open door is no room: its border consists
      * of walls (cells of occupied_min or more) by less than this percentage of the share
      * that walls have in the border of the whole map. Such rooms below a tenth of the whole
-     * area that lead nowhere else are dropped (label 0), unless walls make up less than 40 %
-     * of the whole border: then the map does not mark its walls. 0 (keep all)..100;
-     * default 50. */
+     * area are dropped (label 0) when they lead nowhere else, or when it is less than half of
+     * that percentage. Where walls make up less than 30 % of the whole border, the map does
+     * not mark its walls, and nothing is dropped. 0 (keep all)..100; default 50. */
     uint32_t unwalled_percent;
 
     /* Capacities; the arena grows with them (see ROOMSEG_ARENA_SIZE). More regions
@@ -237,7 +237,7 @@ typedef struct roomseg_result {
     uint16_t crop_width, crop_height; /* ... and size; all 0 when no cell is free */
     int32_t wall_angle;              /* with config.align: direction of most walls, from the x
                                         axis towards the y axis, -4500..4499 hundredths of a
-                                        degree; below 50 either way the grid was not turned */
+                                        degree; below 100 either way the grid was not turned */
     size_t arena_used;               /* bytes of the arena that this run needed */
 } roomseg_result;
 

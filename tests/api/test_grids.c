@@ -102,7 +102,7 @@ static void test_every_small_size(void)
             TEST_ASSERT_EQUAL_UINT((width * height + 1) / 2, r.result.room_count);
             run_free(&r);
             config.speck_mm2 = 96000;
-            config.clutter_mm = 640;
+            config.clutter_mm = 1000;
             r = run_checked(&config, &s.grid);
             run_free(&r);
             sketch_free(&s);

@@ -59,13 +59,15 @@ static void test_the_default_config_is_the_documented_one(void)
     TEST_ASSERT_EQUAL_UINT(51, config.free_max);
     TEST_ASSERT_EQUAL_UINT(204, config.occupied_min);
     TEST_ASSERT_EQUAL_UINT(96000, config.speck_mm2);
-    TEST_ASSERT_EQUAL_UINT(640, config.clutter_mm);
+    TEST_ASSERT_EQUAL_UINT(1000, config.clutter_mm);
     TEST_ASSERT_EQUAL_UINT(1000000, config.smallest_room_mm2);
     TEST_ASSERT_EQUAL_UINT(10, config.isolated_permille);
     TEST_ASSERT_EQUAL_UINT(3000000, config.niche_mm2);
     TEST_ASSERT_EQUAL_UINT(85, config.room_opening_percent);
     TEST_ASSERT_EQUAL_UINT(41, config.passage_opening_percent);
     TEST_ASSERT_EQUAL_UINT(3, config.passage_min_neighbours);
+    TEST_ASSERT_EQUAL_UINT(50, config.open_plan_percent);
+    TEST_ASSERT_EQUAL_UINT(1000, config.shared_wall_mm);
     TEST_ASSERT_EQUAL_UINT(50, config.unwalled_percent);
     TEST_ASSERT_EQUAL_UINT(1024, config.max_regions);
     TEST_ASSERT_EQUAL_UINT(255, config.max_rooms);

@@ -98,7 +98,9 @@ static uint32_t isolated_cells(const roomseg_config *config, uint32_t smallest_c
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         total += graph->regions[r].area;
     }
-    return rs_max_u32(smallest_cells, total / 1000u * config->isolated_permille);
+    /* total * permille / 1000, rounded down, without a product above 32 bits */
+    return rs_max_u32(smallest_cells, total / 1000u * config->isolated_permille +
+                                          total % 1000u * config->isolated_permille / 1000u);
 }
 
 /* Stages behind the crop, on placed buffers. */

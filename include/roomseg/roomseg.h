@@ -33,8 +33,9 @@ extern "C" {
 #define ROOMSEG_VERSION_MINOR 1
 #define ROOMSEG_VERSION_PATCH 0
 
-/* Largest grid side, and largest number of cells in the crop. */
-#define ROOMSEG_MAX_SIDE 65535u
+/* Largest grid side (columns with a border on both sides fit in 16 bits), and largest number
+ * of cells in the crop. */
+#define ROOMSEG_MAX_SIDE 65533u
 #define ROOMSEG_MAX_CROP_CELLS (1ul << 28)
 
 /* Resolutions that the physical parameters are meant for [mm per cell]. */

@@ -1,4 +1,5 @@
 /* Grids of all kinds: sizes, strides, read-only memory, noise, places in a larger grid. */
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -210,23 +211,35 @@ static void test_the_thresholds(void)
 /* Obstacles up to the limits change neither the number of rooms nor the inscribed circle. */
 static void test_noise_and_clutter_do_not_shape_rooms(void)
 {
+    static const struct {
+        uint32_t x, y, width, height;
+        bool shapes;
+    } obstacles[] = {
+        {80, 60, 20, 20, false}, /* 1000 mm: clutter */
+        {80, 60, 21, 20, true},  /* 1050 mm: too long */
+        {80, 60, 20, 10, false}, /* twice as long as wide */
+        {80, 60, 20, 9, true},   /* more than that: a piece of a wall */
+        {30, 30, 38, 1, false},  /* 95,000 mm2: noise, whatever its shape */
+        {30, 30, 39, 1, true},   /* 97,500 mm2 */
+    };
     s = sketch_blank(121, 121, 0, 50);
     r = run_checked(&config, &s.grid);
     uint16_t radius = r.result.rooms[0].inscribed_radius_mm;
     run_free(&r);
-    sketch_fill(&s, 80, 60, 12, 12, 255);  /* 600 mm, and too large for a speck */
-    sketch_fill(&s, 30, 30, 37, 1, 255);   /* 1.85 m long, but 92,500 mm2: a speck */
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
-    TEST_ASSERT_EQUAL_UINT(radius, r.result.rooms[0].inscribed_radius_mm);
-    run_free(&r);
-    sketch_fill(&s, 92, 60, 1, 1, 255);    /* 650 mm: stands */
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_LESS_THAN_UINT(radius, r.result.rooms[0].inscribed_radius_mm);
-    run_free(&r);
-    sketch_fill(&s, 92, 60, 1, 1, 0);
-    sketch_fill(&s, 29, 30, 2, 1, 255);    /* 38 + 1 cells: 97,500 mm2, stands */
-    sketch_fill(&s, 67, 30, 1, 1, 255);
+    for (size_t i = 0; i < sizeof obstacles / sizeof obstacles[0]; i++) {
+        sketch_fill(&s, obstacles[i].x, obstacles[i].y, obstacles[i].width, obstacles[i].height,
+                    255);
+        r = run_checked(&config, &s.grid);
+        TEST_ASSERT_EQUAL_INT(obstacles[i].shapes,
+                              r.result.rooms[0].inscribed_radius_mm < radius);
+        run_free(&r);
+        sketch_fill(&s, obstacles[i].x, obstacles[i].y, obstacles[i].width, obstacles[i].height,
+                    0);
+    }
+    /* A cross of 9 x 9 cells fills less than a third of its box when its arms are thin. */
+    config.speck_mm2 = 0;
+    sketch_fill(&s, 80, 64, 9, 1, 255);
+    sketch_fill(&s, 84, 60, 1, 9, 255);
     r = run_checked(&config, &s.grid);
     TEST_ASSERT_LESS_THAN_UINT(radius, r.result.rooms[0].inscribed_radius_mm);
 }

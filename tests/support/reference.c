@@ -64,10 +64,11 @@ static bool is_small(const roomseg_config *config, uint32_t resolution_mm, size_
                      const box *b)
 {
     uint64_t area_mm2 = (uint64_t)count * resolution_mm * resolution_mm;
-    uint32_t longest = b->max_x - b->min_x > b->max_y - b->min_y ? b->max_x - b->min_x
-                                                                 : b->max_y - b->min_y;
-    uint64_t length_mm = (uint64_t)(longest + 1) * resolution_mm;
-    return area_mm2 < config->speck_mm2 || length_mm <= config->clutter_mm;
+    uint64_t wide = b->max_x - b->min_x + 1, high = b->max_y - b->min_y + 1;
+    uint64_t longer = wide > high ? wide : high, shorter = wide > high ? high : wide;
+    bool compact = longer <= 2 * shorter && 3 * count >= wide * high;
+    return area_mm2 < config->speck_mm2 ||
+           (compact && longer * resolution_mm <= config->clutter_mm);
 }
 
 /* What a cell of an obstacle that is noise or clutter becomes. */

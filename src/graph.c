@@ -4,14 +4,6 @@
 
 #define NO_EDGE UINT32_MAX
 
-/* Edges by their pair of regions: open addressing with linear probing. */
-typedef struct edge_table {
-    rs_graph *graph;
-    uint32_t *slots; /* edge index or NO_EDGE */
-    uint32_t slot_count, max_edges;
-    uint32_t latest; /* the edge asked for last; borders repeat themselves */
-} edge_table;
-
 static uint32_t add_edge(rs_graph *graph, uint16_t a, uint16_t b)
 {
     uint32_t e = graph->edge_count++;
@@ -37,8 +29,7 @@ static uint32_t add_edge(rs_graph *graph, uint16_t a, uint16_t b)
     return e;
 }
 
-/* The edge between two regions, made when it is new; NULL when there is no room for it. */
-static rs_edge *edge_between(edge_table *table, uint16_t p, uint16_t q)
+rs_edge *rs_graph_edge(rs_edge_table *table, uint16_t p, uint16_t q)
 {
     rs_edge *edges = table->graph->edges;
     uint16_t a = p < q ? p : q, b = p < q ? q : p;
@@ -68,10 +59,10 @@ static rs_edge *edge_between(edge_table *table, uint16_t p, uint16_t q)
 }
 
 /* Notes that cell (x, y) of height h and label p touches a cell of height g and label q. */
-static bool touch(edge_table *table, uint16_t p, uint16_t q, uint32_t h, uint32_t g,
+static bool touch(rs_edge_table *table, uint16_t p, uint16_t q, uint32_t h, uint32_t g,
                   uint32_t x, uint32_t y)
 {
-    rs_edge *edge = edge_between(table, p, q);
+    rs_edge *edge = rs_graph_edge(table, p, q);
     uint32_t lower = rs_min_u32(h, g);
 
     if (edge == NULL) {
@@ -86,8 +77,7 @@ static bool touch(edge_table *table, uint16_t p, uint16_t q, uint32_t h, uint32_
     return true;
 }
 
-static void measure_cell(rs_region *region, uint32_t height, uint32_t index, uint32_t x,
-                         uint32_t y)
+void rs_graph_add_cell(rs_region *region, uint32_t height, uint32_t index, uint32_t x, uint32_t y)
 {
     if (region->area == 0u) {
         region->first_cell = index;
@@ -128,9 +118,13 @@ static void add_face(const source *from, rs_region *region, uint32_t x, uint32_t
     }
 }
 
-static void init(edge_table *table)
+void rs_graph_begin(rs_graph *graph, uint32_t max_edges, uint32_t *slots, rs_edge_table *table)
 {
-    rs_graph *graph = table->graph;
+    table->graph = graph;
+    table->slots = slots;
+    table->slot_count = 2u * max_edges;
+    table->max_edges = max_edges;
+    table->latest = NO_EDGE;
 
     graph->edge_count = 0;
     memset(graph->regions, 0, (graph->region_count + 1u) * sizeof *graph->regions);
@@ -169,14 +163,14 @@ static void measure_faces(const source *from, rs_region *regions, uint16_t here,
     }
 }
 
-static bool add_wall(edge_table *table, uint16_t p, uint16_t q)
+static bool add_wall(rs_edge_table *table, uint16_t p, uint16_t q)
 {
     rs_edge *edge;
 
     if (p == 0u || p == q) {
         return true;
     }
-    edge = edge_between(table, p, q);
+    edge = rs_graph_edge(table, p, q);
     if (edge != NULL) {
         edge->wall++;
     }
@@ -184,7 +178,7 @@ static bool add_wall(edge_table *table, uint16_t p, uint16_t q)
 }
 
 /* Where a run of obstacles ends, to the right or below: does a thin wall end with it? */
-static bool measure_walls(const source *from, edge_table *table, wall_scan *scan, uint16_t here,
+static bool measure_walls(const source *from, rs_edge_table *table, wall_scan *scan, uint16_t here,
                           uint16_t right, uint16_t lower, uint32_t x, uint32_t y)
 {
     rs_column *column = &scan->columns[x];
@@ -208,7 +202,7 @@ static bool measure_walls(const source *from, edge_table *table, wall_scan *scan
 }
 
 /* One row of labels; `below` is NULL behind the last one. */
-static bool read_row(const source *from, edge_table *table, wall_scan *scan,
+static bool read_row(const source *from, rs_edge_table *table, wall_scan *scan,
                      const uint8_t *height, const uint16_t *row, const uint16_t *below,
                      uint32_t y)
 {
@@ -233,7 +227,7 @@ static bool read_row(const source *from, edge_table *table, wall_scan *scan,
             continue;
         }
         if (cells[x] < from->occupied_min) {
-            measure_cell(&regions[here], height[x], index + x, x, y);
+            rs_graph_add_cell(&regions[here], height[x], index + x, x, y);
         }
         if (right != here && right != 0u &&
             !touch(table, here, right, height[x], height[x + 1u], x, y)) {
@@ -251,11 +245,11 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
                    uint32_t max_edges, const rs_graph_scratch *scratch, rs_ticker *ticker)
 {
-    edge_table table = {graph, scratch->slots, 2u * max_edges, max_edges, NO_EDGE};
+    rs_edge_table table;
     source from = {frame, grid, occupied_min, RS_GRAPH_WALL_MM / grid->resolution_mm};
     wall_scan scan = {scratch->columns, 0, 0};
 
-    init(&table);
+    rs_graph_begin(graph, max_edges, scratch->slots, &table);
     memset(scan.columns, 0, frame->width * sizeof *scan.columns);
     for (uint32_t y = 0; y < frame->height; y++) {
         const uint16_t *row = labels->cells + (size_t)y * labels->stride;

@@ -74,6 +74,25 @@ static inline uint32_t rs_graph_next_half(const rs_graph *graph, uint32_t half)
     return graph->edges[half >> 1].next[half & 1u];
 }
 
+/* Edges by their pair of regions: open addressing with linear probing. */
+typedef struct rs_edge_table {
+    rs_graph *graph;
+    uint32_t *slots; /* edge index or UINT32_MAX */
+    uint32_t slot_count, max_edges;
+    uint32_t latest; /* the edge asked for last; borders repeat themselves */
+} rs_edge_table;
+
+/* Empties the graph, but for region_count regions without cells, and the table.
+ * slots: 2 * max_edges. */
+void rs_graph_begin(rs_graph *graph, uint32_t max_edges, uint32_t *slots, rs_edge_table *table);
+
+/* The edge between two regions, made when it is new; NULL when there is no room for it. */
+rs_edge *rs_graph_edge(rs_edge_table *table, uint16_t p, uint16_t q);
+
+/* Counts a cell of a region; cells come in reading order. index: bordered. */
+void rs_graph_add_cell(rs_region *region, uint32_t height, uint32_t index, uint32_t x,
+                       uint32_t y);
+
 /* Measures the regions and their openings in one reading of the labels.
  * graph: regions of region_count + 1 elements and edges of max_edges, to be filled.
  * max_edges: ROOMSEG_PLAN_EDGES(n) for some n.

@@ -117,6 +117,58 @@ static void test_the_widest_of_two_openings(void)
     }
 }
 
+/* The same where each room consists of two regions, of which either has an opening. */
+static void test_the_widest_of_two_openings_of_merged_regions(void)
+{
+    const char *const rows[] = {
+        "#####################",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#...................#",
+        "#...................#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "##........#........##",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#...................#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#.........#.........#",
+        "#####################",
+        NULL,
+    };
+    config.speck_mm2 = 0;
+    for (int upside_down = 0; upside_down < 2; upside_down++) {
+        s = sketch_make(rows, 8, 0, RESOLUTION_MM);
+        if (upside_down) {
+            for (uint32_t y = 0; y < s.grid.height; y++) {
+                uint32_t row = (s.grid.height - 1 - y) / 8;
+                for (uint32_t x = 0; x < s.grid.width; x++) {
+                    s.memory[y * s.grid.stride + x] = rows[row][x / 8] == '#' ? 255 : 0;
+                }
+            }
+        }
+        r = run_checked(&config, &s.grid);
+        TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+        TEST_ASSERT_GREATER_OR_EQUAL_UINT(4, r.result.region_count);
+        const roomseg_doorway *d = r.result.doorways;
+        TEST_ASSERT_EQUAL_UINT(1, r.result.doorway_count);
+        TEST_ASSERT_UINT32_WITHIN(WIDTH_TOLERANCE_MM, 800, d->width_mm);
+        TEST_ASSERT_EQUAL_UINT(24, d->border_cells);
+        uint32_t upper = upside_down ? 16 * 8 : 3 * 8;
+        expect_within(upper, upper + 15, d->y);
+        run_free(&r);
+        sketch_free(&s);
+    }
+}
+
 /* Nine rooms in a square: twelve doors, and each room links to those around it. */
 static void test_links_of_nine_rooms(void)
 {
@@ -165,6 +217,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_a_door_is_found_where_it_is);
     RUN_TEST(test_the_widest_of_two_openings);
+    RUN_TEST(test_the_widest_of_two_openings_of_merged_regions);
     RUN_TEST(test_links_of_nine_rooms);
     RUN_TEST(test_no_door_no_record);
     RUN_TEST(test_a_corner_is_no_door);

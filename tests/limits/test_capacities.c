@@ -102,6 +102,50 @@ static void test_dense_graphs_fit(void)
     }
 }
 
+/* A chequered grid: half of the cells found a region each, twice as many as the flood queue
+ * holds at once. */
+static void test_more_peaks_than_the_queue_holds(void)
+{
+    enum { SIDE = 180, COUNT = SIDE * SIDE / 2 };
+    config.smallest_room_mm2 = 0;
+    config.isolated_permille = 0;
+    config.unwalled_percent = 0;
+    config.speck_mm2 = 0;
+    config.clutter_mm = 0;
+    config.max_regions = COUNT;
+    config.max_rooms = COUNT;
+    s = sketch_blank(SIDE, SIDE, 255, 100);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        s.memory[i] = (i % SIDE + i / SIDE) % 2 == 0 ? 0 : 255;
+    }
+    run r = run_unchecked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(COUNT, r.result.room_count);
+    uint16_t next = 1;
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        TEST_ASSERT_EQUAL_UINT(s.memory[i] == 0 ? next++ : 0, r.labels[i]);
+    }
+    run_free(&r);
+}
+
+/* One corridor five cells wide in many bends: when its middle is flooded, a third of all cells
+ * wait in the queue, more than it holds. */
+static void test_more_cells_wait_than_the_queue_holds(void)
+{
+    enum { SIDE = 401 };
+    config.speck_mm2 = 0;
+    config.clutter_mm = 0;
+    s = sketch_blank(SIDE, SIDE, 255, 100);
+    for (uint32_t y = 1; y + 5 < SIDE; y += 6) {
+        sketch_fill(&s, 1, y, SIDE - 2, 5, 0);
+        if (y + 6 + 5 < SIDE) {
+            sketch_fill(&s, y % 12 == 1 ? SIDE - 6 : 1, y + 5, 5, 1, 0);
+        }
+    }
+    run r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    run_free(&r);
+}
+
 static void test_thin_grids(void)
 {
     for (int turned = 0; turned < 2; turned++) {
@@ -175,6 +219,8 @@ int main(void)
     RUN_TEST(test_rooms_at_the_limit);
     RUN_TEST(test_regions_at_the_limit);
     RUN_TEST(test_dense_graphs_fit);
+    RUN_TEST(test_more_peaks_than_the_queue_holds);
+    RUN_TEST(test_more_cells_wait_than_the_queue_holds);
     RUN_TEST(test_thin_grids);
     RUN_TEST(test_the_far_corner);
     RUN_TEST(test_a_large_grid_of_rooms);

@@ -42,9 +42,12 @@ static uint32_t crossing(const rs_parabola *a, const rs_parabola *b)
     uint32_t back;
 
     if (forward >= a->height) {
-        return a->x + (forward - a->height) / (2u * gap) + 1u;
+        forward -= a->height;
+        /* Most parabolas stand side by side: no division for them. */
+        return a->x + (gap == 1u ? forward / 2u : forward / (2u * gap)) + 1u;
     }
-    back = (a->height - forward + 2u * gap - 1u) / (2u * gap); /* rounded up */
+    back = a->height - forward + 2u * gap - 1u;
+    back = gap == 1u ? back / 2u : back / (2u * gap); /* rounded up */
     return back > a->x ? 0u : a->x + 1u - back;
 }
 

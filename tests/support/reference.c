@@ -60,13 +60,16 @@ static bool gather(const uint8_t *kinds, uint32_t width, const box *crop, size_t
     return inside;
 }
 
+/* Noise, or compact clutter, by the words of roomseg_config. */
 static bool is_small(const roomseg_config *config, uint32_t resolution_mm, size_t count,
                      const box *b)
 {
     uint64_t area_mm2 = (uint64_t)count * resolution_mm * resolution_mm;
-    uint64_t wide = b->max_x - b->min_x + 1, high = b->max_y - b->min_y + 1;
-    uint64_t longer = wide > high ? wide : high, shorter = wide > high ? high : wide;
-    bool compact = longer <= 2 * shorter && 3 * count >= wide * high;
+    uint64_t width = b->max_x - b->min_x + 1u;
+    uint64_t height = b->max_y - b->min_y + 1u;
+    uint64_t longer = width > height ? width : height;
+    uint64_t shorter = width > height ? height : width;
+    bool compact = longer <= 2 * shorter && 3 * count >= width * height;
     return area_mm2 < config->speck_mm2 ||
            (compact && longer * resolution_mm <= config->clutter_mm);
 }

@@ -4,6 +4,25 @@
  * Lists 256..511: cells that may found a region, by height. */
 #define SUMMITS 256u
 
+/* A set of levels. */
+typedef struct level_set {
+    uint32_t bits[8];
+} level_set;
+
+static void add_level(level_set *set, uint32_t level)
+{
+    set->bits[level >> 5] |= 1u << (level & 31u);
+}
+
+static bool take_level(level_set *set, uint32_t level)
+{
+    uint32_t bit = 1u << (level & 31u);
+    bool has = (set->bits[level >> 5] & bit) != 0u;
+
+    set->bits[level >> 5] &= ~bit;
+    return has;
+}
+
 typedef struct flood {
     const rs_frame *frame;
     const uint8_t *surface;
@@ -11,8 +30,9 @@ typedef struct flood {
     rs_queue *queue;
     rs_ticker *ticker;
     uint32_t max_regions, region_count;
-    uint32_t cells_done;
-    bool lossy; /* the queue refused a cell: from now on levels are searched, see search() */
+    uint32_t cells, cells_done;
+    level_set lost;   /* levels with cells that were reached but not queued, see search() */
+    level_set missed; /* levels with summits that were not queued, see found_missed() */
 } flood;
 
 /* A regional maximum has a cell that is higher than its left and upper neighbours and not
@@ -23,17 +43,11 @@ static bool is_summit(const uint8_t *cell, uint32_t stride)
            *cell >= *(cell + stride);
 }
 
-static bool push(flood *f, uint32_t list, uint32_t x, uint32_t y)
-{
-    bool pushed = rs_queue_push(f->queue, list, rs_cell_pack(x, y));
-
-    f->lossy = f->lossy || !pushed;
-    return pushed;
-}
-
+/* Queues the summits in reading order, until they take half of the queue. */
 static int collect_summits(flood *f)
 {
     const rs_frame *frame = f->frame;
+    uint32_t limit = f->queue->block_count / 2u;
 
     for (uint32_t y = 0; y < frame->height; y++) {
         const uint8_t *row = f->surface + rs_frame_index(frame, 0, y);
@@ -42,8 +56,10 @@ static int collect_summits(flood *f)
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; x < frame->width; x++) {
-            if (row[x] != 0u && is_summit(row + x, frame->stride)) {
-                push(f, SUMMITS + row[x], x, y);
+            if (row[x] != 0u && is_summit(row + x, frame->stride) &&
+                (f->queue->untouched >= limit ||
+                 !rs_queue_push(f->queue, SUMMITS + row[x], rs_cell_pack(x, y)))) {
+                add_level(&f->missed, row[x]);
             }
         }
     }
@@ -61,46 +77,42 @@ static inline void reach(flood *f, uint16_t label, uint32_t x, uint32_t y)
         return;
     }
     slot = &f->labels->cells[(size_t)y * f->labels->stride + x];
-    if (*slot == 0u && push(f, height, x, y)) {
-        *slot = label;
+    if (*slot != 0u) {
+        return;
     }
+    if (rs_queue_push(f->queue, height, rs_cell_pack(x, y))) {
+        *slot = label;
+    } else {
+        add_level(&f->lost, height);
+    }
+}
+
+/* Reaches out from a labelled cell. */
+static inline int visit(flood *f, uint16_t label, uint32_t x, uint32_t y)
+{
+    if (rs_tick(f->ticker, 4u, f->cells_done, f->cells)) {
+        return ROOMSEG_ERR_CANCELLED;
+    }
+    f->cells_done++;
+    reach(f, label, x, y - 1u);
+    reach(f, label, x - 1u, y);
+    reach(f, label, x + 1u, y);
+    reach(f, label, x, y + 1u);
+    return ROOMSEG_OK;
 }
 
 /* Empties the list of one level, to which it may itself add. */
 static int drain(flood *f, uint32_t level)
 {
     uint32_t cell;
+    int status = ROOMSEG_OK;
 
-    while (rs_queue_pop(f->queue, level, &cell)) {
+    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, level, &cell)) {
         uint32_t x = rs_cell_x(cell), y = rs_cell_y(cell);
-        uint16_t label = f->labels->cells[(size_t)y * f->labels->stride + x];
 
-        if (rs_tick(f->ticker, 4u, f->cells_done / f->frame->width, f->frame->height)) {
-            return ROOMSEG_ERR_CANCELLED;
-        }
-        f->cells_done++;
-        reach(f, label, x, y - 1u);
-        reach(f, label, x - 1u, y);
-        reach(f, label, x + 1u, y);
-        reach(f, label, x, y + 1u);
+        status = visit(f, f->labels->cells[(size_t)y * f->labels->stride + x], x, y);
     }
-    return ROOMSEG_OK;
-}
-
-static int found_region(flood *f, uint32_t level, uint32_t x, uint32_t y)
-{
-    uint16_t *label = &f->labels->cells[(size_t)y * f->labels->stride + x];
-
-    if (*label != 0u) {
-        return ROOMSEG_OK;
-    }
-    f->region_count++;
-    if (f->region_count > f->max_regions) {
-        return ROOMSEG_ERR_REGIONS;
-    }
-    *label = (uint16_t)f->region_count;
-    push(f, level, x, y);
-    return drain(f, level);
+    return status;
 }
 
 /* Label of the first neighbour that is labelled and not lower; 0: there is none. */
@@ -120,45 +132,99 @@ static uint16_t label_beside(const flood *f, uint32_t level, uint32_t x, uint32_
     return 0;
 }
 
-/* One reading of the whole surface for cells of this level that the queue lost: those
- * beside a labelled cell take its label. *spare: an unlabelled cell that remains. */
-static int search_once(flood *f, uint32_t level, uint32_t *found, uint32_t *spare)
+/* Reads one row for the cells that a level has lost: those beside a labelled cell that is not
+ * lower take its label, and the flood goes on from them. */
+static int search_row(flood *f, uint32_t level, uint32_t y)
 {
-    for (uint32_t y = 0; y < f->frame->height; y++) {
-        const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
-        uint16_t *labels = f->labels->cells + (size_t)y * f->labels->stride;
+    const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
+    uint16_t *labels = f->labels->cells + (size_t)y * f->labels->stride;
+    int status = ROOMSEG_OK;
 
-        if (rs_tick(f->ticker, f->frame->width, f->cells_done / f->frame->width,
-                    f->frame->height)) {
-            return ROOMSEG_ERR_CANCELLED;
-        }
-        for (uint32_t x = 0; x < f->frame->width; x++) {
-            if (row[x] == level && labels[x] == 0u) {
-                labels[x] = label_beside(f, level, x, y);
-                *found += labels[x] != 0u;
-                *spare = labels[x] == 0u ? rs_cell_pack(x, y) : *spare;
+    for (uint32_t x = 0; status == ROOMSEG_OK && x < f->frame->width; x++) {
+        if (row[x] == level && labels[x] == 0u) {
+            labels[x] = label_beside(f, level, x, y);
+            if (labels[x] != 0u) {
+                status = visit(f, labels[x], x, y);
             }
         }
     }
-    return ROOMSEG_OK;
+    return status;
 }
 
-/* Completes one level after the queue was full. Whatever the search labels is not queued:
- * its lower neighbours are searched for in their turn. */
+/* Completes a level that lost cells, reading the surface again while that loses others of the
+ * same level. */
 static int search(flood *f, uint32_t level)
 {
     int status = ROOMSEG_OK;
 
-    while (status == ROOMSEG_OK) {
-        uint32_t found = 0, spare = RS_QUEUE_NONE;
-
-        status = search_once(f, level, &found, &spare);
-        if (status == ROOMSEG_OK && found == 0u) {
-            if (spare == RS_QUEUE_NONE) {
-                break;
-            }
-            status = found_region(f, level, rs_cell_x(spare), rs_cell_y(spare));
+    while (status == ROOMSEG_OK && take_level(&f->lost, level)) {
+        for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++) {
+            status = rs_tick(f->ticker, f->frame->width, f->cells_done, f->cells)
+                         ? ROOMSEG_ERR_CANCELLED
+                         : search_row(f, level, y);
         }
+        if (status == ROOMSEG_OK) {
+            status = drain(f, level);
+        }
+    }
+    return status;
+}
+
+/* Labels the plateau around a cell that no region has reached. */
+static int found_region(flood *f, uint32_t level, uint32_t x, uint32_t y)
+{
+    uint16_t *label = &f->labels->cells[(size_t)y * f->labels->stride + x];
+    int status;
+
+    if (*label != 0u) {
+        return ROOMSEG_OK;
+    }
+    f->region_count++;
+    if (f->region_count > f->max_regions) {
+        return ROOMSEG_ERR_REGIONS;
+    }
+    *label = (uint16_t)f->region_count;
+    status = visit(f, *label, x, y);
+    if (status == ROOMSEG_OK) {
+        status = drain(f, level);
+    }
+    return status == ROOMSEG_OK ? search(f, level) : status;
+}
+
+/* The summits of a level that were not queued: what is still unlabelled, in reading order. */
+static int found_missed(flood *f, uint32_t level)
+{
+    int status = ROOMSEG_OK;
+
+    for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++) {
+        const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
+        const uint16_t *labels = f->labels->cells + (size_t)y * f->labels->stride;
+
+        if (rs_tick(f->ticker, f->frame->width, f->cells_done, f->cells)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; status == ROOMSEG_OK && x < f->frame->width; x++) {
+            if (row[x] == level && labels[x] == 0u) {
+                status = found_region(f, level, x, y);
+            }
+        }
+    }
+    return status;
+}
+
+static int flood_level(flood *f, uint32_t level)
+{
+    uint32_t cell;
+    int status = drain(f, level);
+
+    if (status == ROOMSEG_OK) {
+        status = search(f, level);
+    }
+    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, SUMMITS + level, &cell)) {
+        status = found_region(f, level, rs_cell_x(cell), rs_cell_y(cell));
+    }
+    if (status == ROOMSEG_OK && take_level(&f->missed, level)) {
+        status = found_missed(f, level);
     }
     return status;
 }
@@ -167,22 +233,15 @@ int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max
                      const rs_labels *labels, uint32_t *region_count, rs_queue *queue,
                      rs_ticker *ticker)
 {
-    flood f = {frame, surface, labels, queue, ticker, max_regions, 0, 0, false};
-    int status = collect_summits(&f);
+    flood f = {frame,       surface, labels, queue,  ticker,
+               max_regions, 0,       0,      0,      {{0}},
+               {{0}}};
+    int status;
 
+    f.cells = frame->width * frame->height;
+    status = collect_summits(&f);
     for (uint32_t level = 255; status == ROOMSEG_OK && level > 0u; level--) {
-        uint32_t cell;
-
-        status = drain(&f, level);
-        if (status == ROOMSEG_OK && f.lossy) {
-            status = search(&f, level);
-        }
-        while (status == ROOMSEG_OK && rs_queue_pop(queue, SUMMITS + level, &cell)) {
-            status = found_region(&f, level, rs_cell_x(cell), rs_cell_y(cell));
-            if (status == ROOMSEG_OK && f.lossy) {
-                status = search(&f, level);
-            }
-        }
+        status = flood_level(&f, level);
     }
     *region_count = f.region_count;
     return status;

@@ -17,7 +17,8 @@ typedef struct rs_labels {
  * equals, the region that reaches them first (Beucher and Meyer's flooding without lines).
  * labels must be 0 for all cells of the crop.
  * Every region is 4-connected. When the queue runs full, the lost cells are found again by
- * reading the surface: the result is as good, ties may fall otherwise, and it takes longer.
+ * reading the surface: the regions are the same and as connected, ties between them may fall
+ * otherwise, and it takes longer. queue: initialised and empty, any number of blocks.
  * Fails iff: more than max_regions maxima (ROOMSEG_ERR_REGIONS, *region_count then is
  * max_regions + 1), or cancelled. */
 int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max_regions,

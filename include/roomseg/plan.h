@@ -8,7 +8,7 @@
  *   surface     ####################################################### (1 byte a cell)
  *   components            ########
  *   envelope                         #####
- *   queue                                  #######                      (~1.2 bytes a cell)
+ *   queue                                  #######                      (1/4 byte a cell)
  *   graph                                          ###################
  *   records                                                      ######
  *
@@ -42,10 +42,10 @@
 /* Runs that one bordered row can hold. */
 #define ROOMSEG_PLAN_RUNS(w) (((size_t)(w) + 3u) / 2u)
 
-/* Blocks of the flood queue: room for a quarter of the cells at once, and the open
- * first and last block of each of 2 x 256 lists. */
+/* Blocks of the flood queue: room for an eighteenth of the cells at once; floods of homes and
+ * offices need a fiftieth to a sixteenth. Beyond that the surface is read again. */
 #define ROOMSEG_PLAN_QUEUE_BLOCKS(w, h) \
-    (ROOMSEG_PLAN_CELLS(w, h) / (4u * ROOMSEG_QUEUE_BLOCK_CELLS) + 512u)
+    (ROOMSEG_PLAN_CELLS(w, h) / (18u * ROOMSEG_QUEUE_BLOCK_CELLS) + 64u)
 
 /* Pairs of regions that touch are fewer than 3 a region, since the map is plane; pairs that
  * only share a wall come out of what is left. Hash slots: twice as many as edges, so that

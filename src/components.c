@@ -1,5 +1,15 @@
 #include "components.h"
 
+/* One reading of the map. */
+typedef struct sweep {
+    const rs_frame *frame;
+    uint8_t *surface;
+    uint8_t value; /* of the cells whose components are sought */
+    rs_component_limits limits;
+    uint32_t *stack;       /* NULL: nothing is cleared */
+    uint32_t count, total; /* components that have ended, and their area */
+} sweep;
+
 /* Slots for the components that reach the row in work or the one above it. */
 typedef struct slots {
     rs_component *components;
@@ -58,20 +68,20 @@ static uint16_t unite(rs_component *components, uint16_t a, uint16_t b)
     return a;
 }
 
-static uint32_t find_runs(const uint8_t *row, uint32_t width, rs_run *runs)
+static uint32_t find_runs(const uint8_t *row, uint32_t width, uint8_t value, rs_run *runs)
 {
     uint32_t count = 0;
     uint32_t x = 0;
 
     for (;;) {
-        while (x < width && row[x] != 0u) {
+        while (x < width && row[x] != value) {
             x++;
         }
         if (x == width) {
             return count;
         }
         runs[count].first = (uint16_t)x;
-        while (x < width && row[x] == 0u) {
+        while (x < width && row[x] == value) {
             x++;
         }
         runs[count].last = (uint16_t)(x - 1u);
@@ -141,24 +151,24 @@ static bool is_small(const rs_component *c, rs_component_limits limits)
             high <= 2u * wide && 3u * c->area >= wide * high);
 }
 
-/* Sets all cells of a small component to 1, from its anchor outwards. A cell enters the
- * stack once, so the stack needs no more than the component's area. */
-static void clear_component(const rs_component *c, uint32_t stride, uint32_t neighbours,
-                            uint8_t *surface, uint32_t *stack)
+/* Turns all cells of a small component, from its anchor outwards. A cell enters the stack
+ * once, so the stack needs no more than the component's area. */
+static void clear_component(const sweep *w, const rs_component *c)
 {
-    uint32_t depth = 0;
+    uint32_t depth = 0, stride = w->frame->stride, neighbours = w->limits.diagonal ? 8u : 4u;
+    uint8_t value = w->value, other = value == 0u;
     const uint32_t step[8] = {1u,      0u - 1u,      stride,      0u - stride, /* modulo 2^32 */
                               stride + 1u, stride - 1u, 1u - stride, 0u - stride - 1u};
 
-    stack[depth++] = c->anchor_y * stride + c->anchor_x;
-    surface[stack[0]] = 1;
+    w->stack[depth++] = c->anchor_y * stride + c->anchor_x;
+    w->surface[w->stack[0]] = other;
     while (depth > 0u) {
-        uint32_t cell = stack[--depth];
+        uint32_t cell = w->stack[--depth];
         for (uint32_t k = 0; k < neighbours; k++) {
             uint32_t next = cell + step[k];
-            if (surface[next] == 0u) {
-                surface[next] = 1;
-                stack[depth++] = next;
+            if (w->surface[next] == value) {
+                w->surface[next] = other;
+                w->stack[depth++] = next;
             }
         }
     }
@@ -166,8 +176,7 @@ static void clear_component(const rs_component *c, uint32_t stride, uint32_t nei
 
 /* Ends the components that do not reach row y: clears the small ones, frees their slots
  * and those of components that were joined to others. */
-static void end_components(const rs_frame *frame, rs_component_limits limits, uint32_t y,
-                           slots *s, uint8_t *surface, uint32_t *stack)
+static void end_components(sweep *w, uint32_t y, slots *s)
 {
     uint32_t kept = 0;
 
@@ -179,18 +188,21 @@ static void end_components(const rs_frame *frame, rs_component_limits limits, ui
             s->active[kept++] = slot;
             continue;
         }
-        if (c->parent == slot && is_small(c, limits)) {
-            clear_component(c, frame->stride, limits.diagonal ? 8u : 4u, surface, stack);
+        if (c->parent == slot) {
+            w->count++;
+            w->total += c->area;
+            if (w->stack != NULL && is_small(c, w->limits)) {
+                clear_component(w, c);
+            }
         }
         s->vacant[s->vacant_count++] = slot;
     }
     s->active_count = kept;
 }
 
-int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
-                              uint8_t *surface, const rs_component_scratch *scratch,
-                              rs_ticker *ticker)
+static int run_sweep(sweep *w, const rs_component_scratch *scratch, rs_ticker *ticker)
 {
+    const rs_frame *frame = w->frame;
     uint32_t capacity = 2u * (uint32_t)ROOMSEG_PLAN_RUNS(frame->width);
     rs_run *above = scratch->runs;
     rs_run *runs = scratch->runs + capacity / 2u;
@@ -202,20 +214,43 @@ int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
         s.vacant_count++;
     }
     for (uint32_t y = 0; y < frame->height + 2u; y++) {
-        const uint8_t *row = surface + (size_t)y * frame->stride;
+        const uint8_t *row = w->surface + (size_t)y * frame->stride;
         uint32_t count;
         rs_run *swap;
 
         if (rs_tick(ticker, frame->width, y, frame->height + 2u)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        count = find_runs(row, frame->stride, runs);
-        join_row(frame, limits.diagonal ? 1u : 0u, above, above_count, runs, count, y, &s);
-        end_components(frame, limits, y, &s, surface, scratch->stack);
+        count = find_runs(row, frame->stride, w->value, runs);
+        join_row(frame, w->limits.diagonal ? 1u : 0u, above, above_count, runs, count, y, &s);
+        end_components(w, y, &s);
         swap = above;
         above = runs;
         runs = swap;
         above_count = count;
     }
     return ROOMSEG_OK;
+}
+
+int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
+                              uint8_t *surface, const rs_component_scratch *scratch,
+                              rs_ticker *ticker)
+{
+    sweep w = {frame, surface, 0, limits, scratch->stack, 0, 0};
+
+    return run_sweep(&w, scratch, ticker);
+}
+
+int rs_components_keep_large_free(const rs_frame *frame, uint8_t *surface,
+                                  const rs_component_scratch *scratch, rs_ticker *ticker)
+{
+    sweep w = {frame, surface, 1, {0, 0, true}, NULL, 0, 0};
+    int status = run_sweep(&w, scratch, ticker);
+
+    if (status != ROOMSEG_OK || w.count < 2u) {
+        return status;
+    }
+    w.limits.speck_cells = (w.total + w.count - 1u) / w.count;
+    w.stack = scratch->stack;
+    return run_sweep(&w, scratch, ticker);
 }

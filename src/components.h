@@ -1,5 +1,5 @@
-/* Stage 2: small obstacles. Components of obstacle cells are found row by row: runs of
- * cells, joined with the runs above by union-find. Only the components that reach the
+/* Stage 2: small obstacles, and small islands of free cells. Components are found row by row:
+ * runs of cells, joined with the runs above by union-find. Only the components that reach the
  * current row are kept, so the memory is a few rows, whatever the map. */
 #ifndef RS_COMPONENTS_H
 #define RS_COMPONENTS_H
@@ -50,5 +50,12 @@ typedef struct rs_component_scratch {
 int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
                               uint8_t *surface, const rs_component_scratch *scratch,
                               rs_ticker *ticker);
+
+/* Sets to 0 the cells of all components of free cells (surface 1, 8-connected) that are
+ * smaller than the mean of them.
+ * scratch: as above, but the stack has half as many elements as the crop has cells: where
+ * there are two components or more, those below the mean have less than half of the area. */
+int rs_components_keep_large_free(const rs_frame *frame, uint8_t *surface,
+                                  const rs_component_scratch *scratch, rs_ticker *ticker);
 
 #endif

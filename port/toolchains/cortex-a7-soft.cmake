@@ -1,0 +1,6 @@
+# Cortex-A7, soft-float ABI. Unaligned accesses fault while the MMU is off.
+set(CMAKE_SYSTEM_PROCESSOR cortex-a7-soft)
+set(prefix arm-none-eabi)
+set(clang_target arm-none-eabi)
+set(cpu "-marm -mcpu=cortex-a7+nofp -mfloat-abi=soft -mno-unaligned-access")
+include(${CMAKE_CURRENT_LIST_DIR}/none-common.cmake)

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Segments the same maps on emulated targets and here, and compares labels and rooms.
+
+    tests/embedded/run.py              the core: one Cortex-M4, one Cortex-M7, one RV32, s390x
+    tests/embedded/run.py --all        every target at -O0, -O2, -Os with GCC and Clang, with
+                                       newlib or picolibc, the home in 512 KB, and the tests
+                                       under qemu-user
+    tests/embedded/run.py TARGET...    these targets at -O0, -O2, -Os with GCC and Clang
+
+tools/setup.sh embedded installs what it needs. Exit: 0 all equal, 1 not, 2 wrong usage."""
+
+import argparse
+import os
+import pathlib
+import sys
+
+import emulate
+from emulate import Build, Failure, Host, WORK, command
+from targets import HOME_TARGET, HOSTED, TARGETS
+
+CORE = (("m4", "-Os", False, "none"), ("m7", "-O2", False, "none"),
+        ("rv32", "-Os", False, "none"), ("m4", "-O2", True, "none"))
+CORE_HOSTED = ("linux-s390x",)
+LEVELS = ("-O0", "-O2", "-Os")
+# Run a program of this build on this machine, or look at files that it installs here.
+NOT_EMULATED = "^(tools_cli|package_.*)$"
+
+
+def compare(title, runs, host_runs):
+    """Prints a line; returns whether everything is equal."""
+    different = [key for key, (text, _) in runs.items() if text != host_runs[key][0]]
+    if not runs or different:
+        name = " ".join(different[0]) if different else "no map was run"
+        print(f"DIFFERENT  {title}: {name}", flush=True)
+        return False
+    print(f"equal      {title}: {len(runs)} runs", flush=True)
+    return True
+
+
+def emulated(host, target, optimise, clang, libc):
+    build = Build(host, target, optimise, clang, libc)
+    try:
+        return compare(build.title, emulate.split_runs(build.run()), host.runs)
+    except Failure as failure:
+        print(f"FAILED     {build.title}: {failure}", flush=True)
+        return False
+
+
+def home(host):
+    """The home with all of its memory in 512 KB. Its arena is smaller: fewer regions."""
+    runs = emulate.split_runs(Build(host, HOME_TARGET).run("home"))
+    text, numbers = runs[("home", "default")]
+    equal = emulate.label_crc(text) == emulate.label_crc(host.runs[("home", "default")][0])
+    total = sum(int(numbers[name]) for name in ("map", "labels", "arena", "stack"))
+    detail = " + ".join(f"{name} {numbers[name]}" for name in ("map", "labels", "arena", "stack"))
+    print(f"{'equal' if equal else 'DIFFERENT':10} home of 400 x 300 cells in 512 KB: "
+          f"{total} bytes = {detail}", flush=True)
+    return equal
+
+
+def hosted(name, dataset, jobs):
+    """The project's tests on Linux for another CPU, under qemu-user."""
+    folder = WORK / name
+    folder.mkdir(parents=True, exist_ok=True)
+    toolchain = emulate.ROOT / "port" / "toolchains" / (name + ".cmake")
+    try:
+        command(["cmake", "-S", emulate.ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
+                 f"-DCMAKE_TOOLCHAIN_FILE={toolchain}", "-DROOMSEG_WERROR=ON",
+                 f"-DROOMSEG_BENCHMARK_DIR={dataset or ''}"], folder / "configure.log")
+        command(["cmake", "--build", folder, "-j", jobs], folder / "build.log")
+        text = command(["ctest", "--test-dir", folder, "-j", jobs, "--output-on-failure", "-E",
+                        NOT_EMULATED, "--timeout", "1500"], folder / "ctest.log", 3000)
+    except Failure as failure:
+        print(f"FAILED     {name}: {failure}", flush=True)
+        return False
+    summary = [line for line in text.splitlines() if "tests passed" in line]
+    print(f"passed     {name} ({HOSTED[name]}): {summary[0] if summary else '?'}", flush=True)
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("targets", nargs="*", metavar="TARGET")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--dataset", type=pathlib.Path, default=emulate.default_dataset(),
+                        help="folder with the optional real maps")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    try:
+        chosen = emulate.select(options.targets)
+        host = Host(options.dataset, options.jobs)
+        print(f"{len(host.runs)} runs here: {host.maps}", flush=True)
+        good = True
+        if chosen or options.all:
+            for target in chosen or TARGETS.values():
+                for level in LEVELS:
+                    for clang in (False, True):
+                        good &= emulated(host, target, level, clang, "none")
+                if target.name not in emulate.SMALL_FLASH:
+                    good &= emulated(host, target, "-Os", False, target.libc)
+        else:
+            for name, level, clang, libc in CORE:
+                good &= emulated(host, TARGETS[name], level, clang, libc)
+        if not chosen:
+            good &= home(host)
+            for name in HOSTED if options.all else CORE_HOSTED:
+                good &= hosted(name, options.dataset if options.all else None, options.jobs)
+    except Failure as failure:
+        print(f"run.py: {failure}", file=sys.stderr)
+        return 1
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -19,6 +19,7 @@ static const command commands[] = {
     {"eval", cmd_eval, "compare labels with the truth"},
     {"bench", cmd_bench, "run a data set, print quality, time and memory"},
     {"simulate", cmd_simulate, "make a map of a furnished flat, with the true rooms"},
+    {"vary", cmd_vary, "turn, resample, clutter or spoil the maps of a data set"},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])

@@ -130,6 +130,27 @@ static void test_a_run_uses_that_much(void)
     }
 }
 
+/* The formula in README.md, right to 1 %. */
+static void test_the_readme_formula(void)
+{
+    const uint32_t sides[] = {1, 50, 128, 300, 700, 1500, 4096};
+    const uint32_t regions[] = {64, 256, 1024, 4096};
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        for (size_t k = 0; k < sizeof regions / sizeof *regions; k++) {
+            config.max_regions = regions[k];
+            config.max_rooms = regions[k] / 4;
+            size_t exact;
+            TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
+                                  roomseg_arena_size(&config, sides[i], sides[i], 50, &exact));
+            double cells = (sides[i] + 2.0) * (sides[i] + 2.0);
+            double by_graph = cells + 140.0 * config.max_regions + 116.0 * config.max_rooms;
+            double by_queue = 1.25 * cells + 8200.0;
+            double formula = by_graph > by_queue ? by_graph : by_queue;
+            TEST_ASSERT_DOUBLE_WITHIN(0.01 * (double)exact, formula, (double)exact);
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -140,5 +161,6 @@ int main(void)
     RUN_TEST(test_each_field_at_its_ends);
     RUN_TEST(test_capacities);
     RUN_TEST(test_a_run_uses_that_much);
+    RUN_TEST(test_the_readme_formula);
     return UNITY_END();
 }

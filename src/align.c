@@ -163,7 +163,8 @@ static int carry_labels(const roomseg_config *config, const roomseg_grid *grid,
     rs_queue queue;
     int status;
 
-    status = rs_align_mask(config, grid, frame, b->surface, b->small_scratch, ticker);
+    status = rs_align_mask(config, grid, frame, rs_components_limits(config, grid->resolution_mm),
+                           b->surface, b->small_scratch, ticker);
     if (status == ROOMSEG_OK) {
         status = rs_rotate_labels_back(rotation, b->turned_labels, b->surface, labels, ticker);
     }

@@ -5,6 +5,7 @@
 #define RS_ALIGN_H
 
 #include "base.h"
+#include "components.h"
 #include "direction.h"
 #include "distance.h"
 #include "graph.h"
@@ -13,9 +14,9 @@
 #include "profile.h"
 #include "rooms.h"
 
-/* A grid whose walls are off by less than this is left as it is: turning would cost more
- * than it straightens [degree/100]. */
-#define RS_ALIGN_LEAST 50
+/* A grid whose walls are off by less than this is left as it is: the direction is not known
+ * better, and turning blurs [degree/100]. */
+#define RS_ALIGN_LEAST 100
 
 struct roomseg_aligner {
     /* Arena bytes for a crop of width x height cells; all numbers are in range. Fails iff
@@ -65,10 +66,10 @@ void rs_align_place_find(const roomseg_config *config, const rs_frame *frame,
 void rs_align_place_turn(const roomseg_config *config, const rs_frame *frame,
                          uint32_t resolution_mm, void *arena, rs_turn_buffers *b);
 
-/* mask: bordered; 1 where the crop is free or its obstacles are noise or clutter, else 0.
- * scratch: ROOMSEG_PLAN_SMALL_BYTES. */
+/* mask: bordered; 1 where the crop is free or its obstacles are small, else 0.
+ * scratch: ROOMSEG_PLAN_SMALL_BYTES for limits up to those of the config. */
 int rs_align_mask(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
-                  uint8_t *mask, void *scratch, rs_ticker *ticker);
+                  rs_component_limits limits, uint8_t *mask, void *scratch, rs_ticker *ticker);
 
 /* Direction of most walls, -4500..4499 hundredths of a degree from the x axis towards the
  * y axis. arena: as many bytes as the aligner's plan says. Fails iff cancelled. */

@@ -5,7 +5,8 @@
 #include "threshold.h"
 
 int rs_align_mask(const roomseg_config *config, const roomseg_grid *grid,
-                  const rs_frame *frame, uint8_t *mask, void *scratch, rs_ticker *ticker)
+                  const rs_frame *frame, rs_component_limits limits, uint8_t *mask, void *scratch,
+                  rs_ticker *ticker)
 {
     uint32_t runs = 2u * (uint32_t)ROOMSEG_PLAN_RUNS(frame->width);
     size_t small =
@@ -20,8 +21,7 @@ int rs_align_mask(const roomseg_config *config, const roomseg_grid *grid,
     parts.vacant = parts.active + runs;
     status = rs_threshold_run(grid, config->free_max, frame, mask, ticker);
     if (status == ROOMSEG_OK) {
-        status = rs_components_clear_small(frame, rs_components_limits(config, grid->resolution_mm),
-                                           mask, &parts, ticker);
+        status = rs_components_clear_small(frame, limits, mask, &parts, ticker);
     }
     return status;
 }
@@ -46,13 +46,15 @@ static int gather_directions(rs_hough *hough, rs_direction_bin *bins, rs_ticker 
 int rs_align_find(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                   void *arena, int32_t *angle, rs_ticker *ticker)
 {
+    rs_component_limits limits = rs_components_limits(config, grid->resolution_mm);
     rs_find_buffers b;
     rs_hough hough;
     uint32_t point_count = 0;
     int status;
 
     rs_align_place_find(config, frame, grid->resolution_mm, arena, &b);
-    status = rs_align_mask(config, grid, frame, b.mask, b.small_scratch, ticker);
+    limits.clutter_cells = 0; /* pillars and short pieces of wall show the direction too */
+    status = rs_align_mask(config, grid, frame, limits, b.mask, b.small_scratch, ticker);
     if (status == ROOMSEG_OK) {
         status = rs_canny_run(frame, b.mask, b.points, &point_count, b.rows, ticker);
     }

@@ -149,8 +149,9 @@ static void take_gradient(window *w)
 }
 
 /* Whether the magnitude at element i of the middle row is a crest along the gradient: above
- * the next value downhill of the blurred mask's slope, that is on the obstacle's side, and
- * not below the one uphill. Values between cells are interpolated. */
+ * the next value uphill on the blurred mask, that is towards the free side, and not below
+ * the one downhill. Of two equal cells on both sides of an edge this is the free one. Values
+ * between cells are interpolated. */
 static bool is_crest(const window *w, uint32_t i)
 {
     int32_t gx = gx_of(w, 1)[i], gy = gy_of(w, 1)[i];
@@ -170,7 +171,7 @@ static bool is_crest(const window *w, uint32_t i)
         downhill = down[i] * (ay - ax) + down[back] * ax;
         limit = here[i] * ay;
     }
-    return limit > downhill && limit >= uphill;
+    return limit > uphill && limit >= downhill;
 }
 
 static void mark_crests(const window *w, uint32_t y)

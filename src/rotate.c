@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-/* Positions are fixed-point numbers of 31 fractional bits, from the middle of the crop or
- * from its first cell; at most 2^17 cells either way, so they stay below 2^49. */
-#define SHIFT 31
+/* Positions are fixed-point numbers of 30 fractional bits, from the middle of the crop or
+ * from its first cell; at most 2^18 cells either way, so they stay below 2^49. */
+#define SHIFT 30
 
 /* Makes every position positive before it is shifted down. */
 #define BIAS 262144 /* 2^18 cells */
@@ -17,22 +17,26 @@ static inline int32_t nearest(int64_t position)
     return (int32_t)(uint32_t)(biased >> SHIFT) - BIAS;
 }
 
-/* Turned position of crop cell (x, y), from the middle. A cell's distance from the middle is
- * a whole number of half cells. */
+/* The cell about which is turned: the same in both frames, so that without a turn cells stay
+ * cells. */
+static int64_t middle_x(const rs_rotation *r)
+{
+    return r->crop->width / 2u;
+}
+static int64_t middle_y(const rs_rotation *r)
+{
+    return r->crop->height / 2u;
+}
+
+/* Turned position of crop cell (x, y), from the middle. */
 static int64_t turned_x_of(const rs_rotation *r, uint32_t x, uint32_t y)
 {
-    int64_t dx = (int64_t)(2u * x) - (r->crop->width - 1u);
-    int64_t dy = (int64_t)(2u * y) - (r->crop->height - 1u);
-
-    return dx * r->axis.cos + dy * r->axis.sin;
+    return (x - middle_x(r)) * r->axis.cos + (y - middle_y(r)) * r->axis.sin;
 }
 
 static int64_t turned_y_of(const rs_rotation *r, uint32_t x, uint32_t y)
 {
-    int64_t dx = (int64_t)(2u * x) - (r->crop->width - 1u);
-    int64_t dy = (int64_t)(2u * y) - (r->crop->height - 1u);
-
-    return dy * r->axis.cos - dx * r->axis.sin;
+    return (y - middle_y(r)) * r->axis.cos - (x - middle_x(r)) * r->axis.sin;
 }
 
 /* Crop position of turned cell (x, y), from the crop's first cell. */
@@ -40,16 +44,14 @@ static int64_t crop_x_of(const rs_rotation *r, uint32_t x, uint32_t y)
 {
     int64_t dx = (int64_t)r->left + x, dy = (int64_t)r->top + y;
 
-    return 2 * (dx * r->axis.cos - dy * r->axis.sin) +
-           (int64_t)(r->crop->width - 1u) * RS_TRIG_ONE;
+    return dx * r->axis.cos - dy * r->axis.sin + middle_x(r) * RS_TRIG_ONE;
 }
 
 static int64_t crop_y_of(const rs_rotation *r, uint32_t x, uint32_t y)
 {
     int64_t dx = (int64_t)r->left + x, dy = (int64_t)r->top + y;
 
-    return 2 * (dx * r->axis.sin + dy * r->axis.cos) +
-           (int64_t)(r->crop->height - 1u) * RS_TRIG_ONE;
+    return dx * r->axis.sin + dy * r->axis.cos + middle_y(r) * RS_TRIG_ONE;
 }
 
 /* What the turned frame must hold, from the middle. */
@@ -170,8 +172,8 @@ int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_
             around a = look_around(grid, from_x, from_y, fill);
 
             cells[x] = mix(&a, free_max);
-            from_x += 2 * (int64_t)r->axis.cos;
-            from_y += 2 * (int64_t)r->axis.sin;
+            from_x += r->axis.cos;
+            from_y += r->axis.sin;
         }
     }
     return ROOMSEG_OK;
@@ -197,8 +199,8 @@ int rs_rotate_labels_back(const rs_rotation *rotation, const uint16_t *turned,
             to[x] = open[x] != 0u && turned_x < r->width && turned_y < r->height
                         ? turned[(size_t)turned_y * r->width + turned_x]
                         : (uint16_t)0;
-            from_x += 2 * (int64_t)r->axis.cos;
-            from_y -= 2 * (int64_t)r->axis.sin;
+            from_x += r->axis.cos;
+            from_y -= r->axis.sin;
         }
     }
     return ROOMSEG_OK;

@@ -7,14 +7,14 @@
 #include "trig.h"
 #include "watershed.h"
 
-/* Two frames with the middle of the crop in common: the crop, and the turned one, whose x
+/* Two frames with the middle cell of the crop in common: the crop, and the turned one, whose x
  * axis has the given direction in the crop. The turned frame is the smallest that holds the
  * turned free cells: at most ROOMSEG_PLAN_TURNED_WIDTH(crop) wide, and with border it has at
  * most ROOMSEG_PLAN_CELLS of ROOMSEG_PLAN_TURNED_WIDTH x _HEIGHT cells. */
 typedef struct rs_rotation {
     const rs_frame *crop;
     rs_direction axis;
-    int32_t left, top;      /* of the turned frame, from the middle [cells] */
+    int32_t left, top;      /* of the turned frame, from the middle cell [cells] */
     uint32_t width, height; /* of the turned frame */
 } rs_rotation;
 

@@ -114,7 +114,7 @@ static void check_dropped(const walk *w)
     if (limit_mm2 < r->config.smallest_room_mm2) {
         limit_mm2 = r->config.smallest_room_mm2;
     }
-    if (r->result.wall_angle >= 50 || r->result.wall_angle <= -50) {
+    if (r->result.wall_angle >= 100 || r->result.wall_angle <= -100) {
         limit_mm2 = UINT64_MAX;
     }
     const uint32_t number = UINT32_MAX;

@@ -1,6 +1,7 @@
 /* The main job on real maps: each result must be consistent, by the words of roomseg.h.
  *
- *   test_real_maps FOLDER    a data set with furnished/, no_furniture/, neato/ of PNG files
+ *   test_real_maps FOLDER    a data set with furnished/, no_furniture/, neato/ of PNG files and
+ *                              samples/neato_sample_1.pgm
  *
  * Without the folder the test is skipped, and says so. */
 #define _POSIX_C_SOURCE 200809L
@@ -90,6 +91,14 @@ static void test_neato(void)
     check_folder("neato", 12);
 }
 
+/* A robot's own file, with the resolution in its header. */
+static void test_robots_own_file(void)
+{
+    char path[1000];
+    snprintf(path, sizeof path, "%s/samples/neato_sample_1.pgm", data_set);
+    check_map(path);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2 || argv[1][0] == '\0') {
@@ -101,5 +110,6 @@ int main(int argc, char **argv)
     RUN_TEST(test_furnished);
     RUN_TEST(test_no_furniture);
     RUN_TEST(test_neato);
+    RUN_TEST(test_robots_own_file);
     return UNITY_END();
 }

@@ -5,7 +5,14 @@ bool rs_ticker_enter(rs_ticker *ticker, roomseg_stage stage)
     ticker->stage = stage;
     ticker->permille = 0;
     ticker->visits = 0;
+    rs_ticker_part(ticker, 0, 1000);
     return rs_ticker_call(ticker, 0, 1);
+}
+
+void rs_ticker_part(rs_ticker *ticker, uint32_t from, uint32_t to)
+{
+    ticker->part_from = from;
+    ticker->part_missing = 1000u - (to - from);
 }
 
 bool rs_ticker_call(rs_ticker *ticker, uint32_t done, uint32_t total)
@@ -21,6 +28,7 @@ bool rs_ticker_call(rs_ticker *ticker, uint32_t done, uint32_t total)
         done >>= 1;
     }
     permille = total == 0u ? 1000u : rs_min_u32(done * 1000u / total, 1000u);
+    permille = ticker->part_from + permille * (1000u - ticker->part_missing) / 1000u;
     ticker->permille = rs_max_u32(ticker->permille, permille);
     return ticker->hook(ticker->user, ticker->stage, ticker->permille) != 0;
 }

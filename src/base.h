@@ -49,10 +49,16 @@ typedef struct rs_ticker {
     roomseg_stage stage;
     uint32_t visits; /* since the last call of the hook, <= RS_TICK_VISITS */
     uint32_t permille; /* last value reported in this stage */
+    uint32_t part_from;    /* the part of the stage that is in work [permille] begins here ... */
+    uint32_t part_missing; /* ... and is shorter than the stage by this */
 } rs_ticker;
 
 /* Enters a stage and reports 0 per mille of it. True: the run is cancelled. */
 bool rs_ticker_enter(rs_ticker *ticker, roomseg_stage stage);
+
+/* Until the next stage, what is reported as done refers to this part of the stage [permille],
+ * from <= to <= 1000. */
+void rs_ticker_part(rs_ticker *ticker, uint32_t from, uint32_t to);
 
 /* Calls the hook; `done` of `total` steps of the stage lie behind. */
 bool rs_ticker_call(rs_ticker *ticker, uint32_t done, uint32_t total);

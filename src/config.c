@@ -21,6 +21,9 @@ roomseg_config roomseg_config_default(void)
     config.open_plan_percent = 50;
     config.shared_wall_mm = 1000;
     config.unwalled_percent = 50;
+    config.dilation_mm = 120;
+    config.seed_obstacle_permille = 50;
+    config.longest_border_mm = 3000;
     config.max_regions = 1024;
     config.max_rooms = 255;
     config.progress = NULL;
@@ -42,7 +45,10 @@ int rs_config_check(const roomseg_config *config)
                 config->open_plan_percent >= 1u && config->open_plan_percent <= 100u &&
                 config->shared_wall_mm >= ROOMSEG_MIN_SHARED_WALL_MM &&
                 config->shared_wall_mm <= ROOMSEG_MAX_SHARED_WALL_MM &&
-                config->unwalled_percent <= 100u && config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
+                config->unwalled_percent <= 100u &&
+                config->dilation_mm <= ROOMSEG_MAX_DILATION_MM &&
+                config->seed_obstacle_permille <= 499u &&
+                config->longest_border_mm <= ROOMSEG_MAX_BORDER_MM && config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
                 config->max_rooms >= 1u && config->max_rooms <= ROOMSEG_MAX_ROOMS &&
                 config->max_rooms <= config->max_regions;
 

@@ -121,7 +121,8 @@ static int run_checked(const roomseg_config *config, const roomseg_grid *grid, u
                        uint32_t label_stride, roomseg_result *result, void *arena,
                        size_t arena_size)
 {
-    rs_ticker ticker = {config->progress, config->progress_user, ROOMSEG_STAGE_THRESHOLD, 0, 0};
+    rs_ticker ticker = {config->progress, config->progress_user, ROOMSEG_STAGE_THRESHOLD,
+                        0, 0, 0, 0};
     rs_frame frame;
     rs_labels crop_labels;
     size_t need = 0;

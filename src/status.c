@@ -41,6 +41,10 @@ const char *roomseg_stage_name(int stage)
         return "components";
     case ROOMSEG_STAGE_SURFACE:
         return "surface";
+    case ROOMSEG_STAGE_SEEDS:
+        return "seeds";
+    case ROOMSEG_STAGE_RIDGE:
+        return "ridge";
     case ROOMSEG_STAGE_WATERSHED:
         return "watershed";
     case ROOMSEG_STAGE_GRAPH:

@@ -15,7 +15,7 @@ typedef struct rs_labels {
  * whose 4-neighbours is higher) founds a region, 1..*region_count in falling order of
  * height; the cells then join, in falling order of height and first in first out among
  * equals, the region that reaches them first (Beucher and Meyer's flooding without lines).
- * labels must be 0 for all cells of the crop.
+ * labels must be 0 where the surface is above 0; elsewhere they are not touched.
  * Every region is 4-connected. When the queue runs full, the lost cells are found again by
  * reading the surface: the regions are the same and as connected, ties between them may fall
  * otherwise, and it takes longer. queue: initialised and empty, any number of blocks.

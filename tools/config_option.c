@@ -31,6 +31,9 @@ static const numeric_field numeric_fields[] = {
     FIELD(open_plan_percent),
     FIELD(shared_wall_mm),
     FIELD(unwalled_percent),
+    FIELD(dilation_mm),
+    FIELD(seed_obstacle_permille),
+    FIELD(longest_border_mm),
     FIELD(max_regions),
     FIELD(max_rooms),
 };

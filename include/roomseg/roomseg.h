@@ -24,6 +24,7 @@
 #include <stdint.h>
 
 #include "roomseg/plan.h" /* ROOMSEG_ARENA_SIZE(), the compile-time size */
+#include "roomseg/plan_paper.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -48,7 +49,9 @@ extern "C" {
 #define ROOMSEG_MAX_SMALLEST_ROOM_MM2 4000000000u
 #define ROOMSEG_MIN_SHARED_WALL_MM 200u
 #define ROOMSEG_MAX_SHARED_WALL_MM 10000000u
-#define ROOMSEG_MAX_REGIONS 65534u
+#define ROOMSEG_MAX_DILATION_MM 1000u
+#define ROOMSEG_MAX_BORDER_MM 1000000u
+#define ROOMSEG_MAX_REGIONS 65532u
 #define ROOMSEG_MAX_ROOMS 16384u
 
 /* The arena's address must be a multiple of this. */
@@ -80,7 +83,9 @@ typedef enum roomseg_stage {
     ROOMSEG_STAGE_ALIGN,         /* direction of the walls, grid turned; with config.align */
     ROOMSEG_STAGE_COMPONENTS,    /* specks dropped, clutter made transparent */
     ROOMSEG_STAGE_SURFACE,       /* how deep inside the free space each cell lies */
-    ROOMSEG_STAGE_WATERSHED,     /* one region per peak of the surface */
+    ROOMSEG_STAGE_SEEDS,         /* the paper profile's: parts that never divide */
+    ROOMSEG_STAGE_RIDGE,         /* the paper profile's: narrows between obstacles */
+    ROOMSEG_STAGE_WATERSHED,     /* one region per peak of the surface, or per seed */
     ROOMSEG_STAGE_GRAPH,         /* region adjacency graph */
     ROOMSEG_STAGE_MERGE,         /* regions -> rooms */
     ROOMSEG_STAGE_ROOMS,         /* labels and records written */
@@ -108,10 +113,16 @@ typedef struct roomseg_grid {
 
 /* A profile is one way through the pipeline. The config points to it, so that the linker
  * drops the stages of a profile that a program never names.
- * ROOMSEG_PROFILE_DEFAULT: distance map, merging by the width of openings. */
+ * ROOMSEG_PROFILE_DEFAULT: distance map, merging by the width of openings.
+ * ROOMSEG_PROFILE_PAPER: the system of Sharif, Mohan, Suvarna, "2D Floor Plan Segmentation
+ * Based on Down-sampling", 2023, as published: seeds from the free space blurred more and
+ * more, watershed with lines on a ridge map, merging by the length of borders. Cells beside
+ * walls and the border line between two rooms carry no label. */
 typedef struct roomseg_profile roomseg_profile;
 extern const roomseg_profile roomseg_profile_default;
+extern const roomseg_profile roomseg_profile_paper;
 #define ROOMSEG_PROFILE_DEFAULT (&roomseg_profile_default)
+#define ROOMSEG_PROFILE_PAPER (&roomseg_profile_paper)
 
 /* Alignment: the grid is turned until its walls lie along the axes, segmented, and the labels
  * are turned back. Named only where it is wanted, so that the linker drops it elsewhere. */
@@ -119,7 +130,9 @@ typedef struct roomseg_aligner roomseg_aligner;
 extern const roomseg_aligner roomseg_aligner_on;
 #define ROOMSEG_ALIGN_ON (&roomseg_aligner_on)
 
-/* Take a ready set from roomseg_config_default() and change single fields. */
+/* Take a ready set from roomseg_config_default() or roomseg_config_paper() and change single
+ * fields. Defaults are the same in both unless "paper" says otherwise. A profile checks the
+ * range of every field, of those too that only the other one reads. */
 typedef struct roomseg_config {
     const roomseg_profile *profile; /* one of the ROOMSEG_PROFILE_ constants, not NULL */
 
@@ -138,13 +151,14 @@ typedef struct roomseg_config {
 
     /* Obstacles smaller than this are noise and do not shape the rooms. Area of an
      * 8-connected component [mm2], 0 (keep all)..ROOMSEG_MAX_SPECK_MM2; default 96,000 =
-     * 60 cells of 4 cm. Their cells below occupied_min carry the label of the room around. */
+     * 60 cells of 4 cm. Their cells below occupied_min carry the label of the room around.
+     * Paper: 4-connected; homes, as published: 4,000,000. */
     uint32_t speck_mm2;
 
     /* The same for compact free-standing obstacles, such as a table, a bin, a pillar: the
      * bounding box at most this long on both sides, neither side more than twice the other,
      * and at least a third of it filled. [mm], 0 (none)..ROOMSEG_MAX_CLUTTER_MM; default
-     * 1000. */
+     * 1000, paper 0. */
     uint32_t clutter_mm;
 
     /* Regions below this area never stand as a room of their own [mm2],
@@ -153,7 +167,8 @@ typedef struct roomseg_config {
     uint32_t smallest_room_mm2;
     uint32_t isolated_permille; /* 0..1000; default 10 */
 
-    /* Regions below this area are a niche of their neighbour, not a room, when the opening
+    /* Read by the default profile only, up to unwalled_percent.
+     * Regions below this area are a niche of their neighbour, not a room, when the opening
      * between them is at least nine tenths as wide as they are themselves. [mm2],
      * 0 (none)..ROOMSEG_MAX_SMALLEST_ROOM_MM2; default 3,000,000. */
     uint32_t niche_mm2;
@@ -185,6 +200,19 @@ typedef struct roomseg_config {
      * that percentage. Where walls make up less than 30 % of the whole border, the map does
      * not mark its walls, and nothing is dropped. 0 (keep all)..100; default 50. */
     uint32_t unwalled_percent;
+
+    /* Read by the paper profile only, up to longest_border_mm.
+     * Obstacles are grown by this much before the seeds are found [mm, rounded to whole
+     * cells], 0..ROOMSEG_MAX_DILATION_MM; default 120 = 3 cells of 4 cm. */
+    uint32_t dilation_mm;
+
+    /* A cell is a seed while the blur leaves it at most this share of obstacles [1/1000],
+     * 0..499; default 50. */
+    uint32_t seed_obstacle_permille;
+
+    /* Two regions are one when their shared border is longer than this [mm],
+     * 0..ROOMSEG_MAX_BORDER_MM; default 3000. */
+    uint32_t longest_border_mm;
 
     /* Capacities; the arena grows with them (see ROOMSEG_ARENA_SIZE). More regions
      * or rooms than these end the run with ROOMSEG_ERR_REGIONS / _ROOMS; so do more than
@@ -222,7 +250,8 @@ typedef struct roomseg_doorway {
     uint16_t x, y;           /* middle of the opening: a cell where both rooms meet; where the
                                 pair has several openings, of the widest */
     uint32_t width_mm;       /* clear width there, from wall to wall */
-    uint32_t border_cells;   /* pairs of 4-adjacent cells that the two rooms share */
+    uint32_t border_cells;   /* pairs of 4-adjacent cells that the two rooms share; paper
+                                profile: cells of the border line between them */
 } roomseg_doorway;
 
 /* What a run found. The arrays lie in the arena and stay valid until the arena is
@@ -245,8 +274,11 @@ typedef struct roomseg_result {
 /* The default profile's parameters. */
 roomseg_config roomseg_config_default(void);
 
+/* The paper profile's: those published for the benchmark, without alignment. */
+roomseg_config roomseg_config_paper(void);
+
 /* Arena bytes for any grid whose free cells fit in a box of width x height cells;
- * equals ROOMSEG_ARENA_SIZE() of the same numbers.
+ * equals ROOMSEG_ARENA_SIZE() or ROOMSEG_ARENA_SIZE_PAPER() of the same numbers.
  * Fails iff: config or bytes is NULL (ERR_NULL); width or height is 0 or above
  * ROOMSEG_MAX_SIDE or their product above ROOMSEG_MAX_CROP_CELLS (ERR_GRID_SIZE);
  * resolution_mm is out of range (ERR_RESOLUTION); a field is out of range (ERR_CONFIG).

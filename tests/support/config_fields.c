@@ -20,6 +20,9 @@ const config_field config_fields[] = {
     FIELD(open_plan_percent, 1, 100),
     FIELD(shared_wall_mm, ROOMSEG_MIN_SHARED_WALL_MM, ROOMSEG_MAX_SHARED_WALL_MM),
     FIELD(unwalled_percent, 0, 100),
+    FIELD(dilation_mm, 0, ROOMSEG_MAX_DILATION_MM),
+    FIELD(seed_obstacle_permille, 0, 499),
+    FIELD(longest_border_mm, 0, ROOMSEG_MAX_BORDER_MM),
     FIELD(max_regions, 1, ROOMSEG_MAX_REGIONS),
     FIELD(max_rooms, 1, 1024), /* at most max_regions, which is 1024 by default */
 };

@@ -24,7 +24,8 @@ need() { # PACKAGE... : wanted, installed in one go later
 
 compiles() { # COMPILER [FLAG...] : can it make a program that includes libc's headers?
     command -v "$1" >/dev/null 2>&1 &&
-        echo '#include <stdio.h>
+        echo '#include <errno.h>
+#include <stdio.h>
 int main(void) { return puts("") < 0; }' | "$@" -x c - -o /dev/null >/dev/null 2>&1
 }
 
@@ -39,6 +40,11 @@ as_root() {
     fi
 }
 
+gcc_major() { # of the gcc that is there, else of the one that Debian would install
+    gcc -dumpversion 2>/dev/null ||
+        apt-cache depends gcc 2>/dev/null | sed -n 's/.*Depends: gcc-\([0-9][0-9]*\)$/\1/p'
+}
+
 find_missing() {
     compiles cc || need gcc libc6-dev
     command -v cmake >/dev/null 2>&1 || need cmake
@@ -48,7 +54,10 @@ find_missing() {
     if [ "$purpose" = ci ]; then
         compiles gcc || need gcc libc6-dev
         compiles clang || need clang
-        compiles gcc -m32 || need gcc-multilib
+        # Not gcc-multilib: it would throw out the cross compilers, which it conflicts with for
+        # a symbolic link to the kernel's headers. The preset m32 names that folder instead.
+        compiles gcc -m32 -idirafter /usr/include/x86_64-linux-gnu ||
+            need "gcc-$(gcc_major)-multilib"
     fi
 }
 

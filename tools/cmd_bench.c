@@ -13,10 +13,11 @@
 #include "config_option.h"
 #include "dataset.h"
 #include "json.h"
+#include "profile_option.h"
 #include "truth.h"
 
 static const char usage[] =
-    "usage: roomseg bench DATASET [--set NAME] [--profile default] [--align] [--reps N]\n"
+    "usage: roomseg bench DATASET [--set NAME] [--profile NAME] [--align] [--reps N]\n"
     "                     [--json] [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
     "                     [--labels FOLDER]\n";
 
@@ -31,7 +32,8 @@ static const char help[] =
     "Maps without truth: rooms, time and memory alone. How truth is read: roomseg eval --help.\n"
     "\n"
     "  --set NAME            this set alone\n"
-    "  --profile NAME        set of parameters; there is one, default\n"
+    "  --profile NAME        default, or paper: the published system, which leaves cells\n"
+    "                        beside walls and between rooms without a room\n"
     "  --align               turns each map until its walls lie along the axes\n"
     "  --reps N              timed runs per map, 1 to 1000; default 3; the median counts\n"
     "  --json                one JSON document instead of tables; shares from 0 to 1\n"
@@ -64,13 +66,9 @@ static int check_config(const roomseg_config *config, tool_error *error) {
     return 0;
 }
 
-static int read_values(const char *profile, const char *repetitions, const char *resolution,
-                       request *out, tool_error *error) {
+static int read_values(const char *repetitions, const char *resolution, request *out,
+                       tool_error *error) {
     long count = DEFAULT_REPETITIONS;
-    if (profile != NULL && strcmp(profile, "default") != 0) {
-        tool_error_set(error, "unknown profile '%s'; there is one, default", profile);
-        return -1;
-    }
     if (repetitions != NULL &&
         args_integer("--reps", repetitions, 1, BENCH_MAX_REPETITIONS, &count, error) != 0) {
         return -1;
@@ -89,15 +87,12 @@ static int read_values(const char *profile, const char *repetitions, const char 
 }
 
 static int read_request(int argc, char **argv, request *out, tool_error *error) {
-    const char *profile = NULL;
     const char *repetitions = NULL;
     const char *resolution = NULL;
     int operands;
     memset(out, 0, sizeof *out);
-    out->settings.config = roomseg_config_default();
     const arg_option options[] = {
         {"--set", NULL, &out->set, NULL},
-        {"--profile", NULL, &profile, NULL},
         {"--align", NULL, NULL, &out->align},
         {"--reps", NULL, &repetitions, NULL},
         {"--resolution", NULL, &resolution, NULL},
@@ -107,7 +102,8 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         {"--help", "-h", NULL, &out->help},
         {NULL, NULL, NULL, NULL},
     };
-    if (config_take_options(&argc, argv, &out->settings.config, error) != 0 ||
+    if (profile_take_option(&argc, argv, &out->settings.config, error) != 0 ||
+        config_take_options(&argc, argv, &out->settings.config, error) != 0 ||
         args_parse(argc, argv, options, &out->folder, 1, &operands, error) != 0) {
         return -1;
     }
@@ -115,7 +111,7 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         tool_error_set(error, "bench: which data set?");
         return -1;
     }
-    return read_values(profile, repetitions, resolution, out, error);
+    return read_values(repetitions, resolution, out, error);
 }
 
 /* Position in the whole run, for the progress line. */
@@ -170,8 +166,9 @@ static int is_wanted(const request *q, const dataset_set *set) {
 static void print_json(const request *q, const set_result *sets, size_t count) {
     fputs("{\"dataset\": ", stdout);
     json_string(stdout, q->folder);
-    printf(",\n \"profile\": \"default\", \"align\": %s, \"repetitions\": %d, "
+    printf(",\n \"profile\": \"%s\", \"align\": %s, \"repetitions\": %d, "
            "\"speck_cells\": %u,\n",
+           profile_name(&q->settings.config),
            q->settings.config.align != NULL ? "true" : "false", q->settings.repetitions,
            TRUTH_SPECK_CELLS);
     fputs(" \"config\": ", stdout);

@@ -6,12 +6,13 @@
 #include "commands.h"
 #include "map.h"
 #include "out.h"
+#include "profile_option.h"
 #include "report.h"
 #include "rooms_png.h"
 #include "segment.h"
 
 static const char usage[] =
-    "usage: roomseg segment MAP -o FOLDER [--resolution M] [--profile default] [--align]\n"
+    "usage: roomseg segment MAP -o FOLDER [--resolution M] [--profile NAME] [--align]\n"
     "                       [--free-below N] [--occupied-above N] [--invert]\n";
 
 static const char help[] =
@@ -25,7 +26,8 @@ static const char help[] =
     "  -o, --output FOLDER   where the results go\n"
     "  --resolution M        edge of a cell in metres, 0.02 to 0.2; default: what the map\n"
     "                        says, else 0.04\n"
-    "  --profile NAME        set of parameters; there is one, default\n"
+    "  --profile NAME        default, or paper: the published system, which leaves cells\n"
+    "                        beside walls and between rooms without a room\n"
     "  --align               turns the map until its walls lie along the axes; the rooms come\n"
     "                        back in the map's own cells\n"
     "  --free-below N        cells up to this occupancy are free, 0 to 254; default 51\n"
@@ -42,14 +44,10 @@ typedef struct request {
 } request;
 
 /* Numbers out of the texts of options; a text that is NULL leaves the default. */
-static int read_values(const char *resolution, const char *profile, const char *free_below,
+static int read_values(const char *resolution, const char *free_below,
                        const char *occupied_above, request *out, tool_error *error) {
     long free_max = out->config.free_max;
     long highest_unsure = out->config.occupied_min - 1;
-    if (profile != NULL && strcmp(profile, "default") != 0) {
-        tool_error_set(error, "unknown profile '%s'; there is one, default", profile);
-        return -1;
-    }
     if (resolution != NULL &&
         args_real("--resolution", resolution, ROOMSEG_MIN_RESOLUTION_MM / 1000.0,
                   ROOMSEG_MAX_RESOLUTION_MM / 1000.0, &out->options.resolution_m, error) != 0) {
@@ -76,16 +74,13 @@ static int read_values(const char *resolution, const char *profile, const char *
 
 static int read_request(int argc, char **argv, request *out, tool_error *error) {
     const char *resolution = NULL;
-    const char *profile = NULL;
     const char *free_below = NULL;
     const char *occupied_above = NULL;
     int operand_count;
     memset(out, 0, sizeof *out);
-    out->config = roomseg_config_default();
     const arg_option options[] = {
         {"--output", "-o", &out->folder, NULL},
         {"--resolution", NULL, &resolution, NULL},
-        {"--profile", NULL, &profile, NULL},
         {"--align", NULL, NULL, &out->align},
         {"--free-below", NULL, &free_below, NULL},
         {"--occupied-above", NULL, &occupied_above, NULL},
@@ -93,7 +88,8 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         {"--help", "-h", NULL, &out->help},
         {NULL, NULL, NULL, NULL},
     };
-    if (args_parse(argc, argv, options, &out->map_path, 1, &operand_count, error) != 0) {
+    if (profile_take_option(&argc, argv, &out->config, error) != 0 ||
+        args_parse(argc, argv, options, &out->map_path, 1, &operand_count, error) != 0) {
         return -1;
     }
     if (!out->help && (operand_count == 0 || out->folder == NULL)) {
@@ -101,7 +97,7 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
                                                  : "segment: -o FOLDER is missing");
         return -1;
     }
-    return read_values(resolution, profile, free_below, occupied_above, out, error);
+    return read_values(resolution, free_below, occupied_above, out, error);
 }
 
 enum { OUT_LABELS, OUT_JSON, OUT_PNG, OUT_COUNT };

@@ -8,6 +8,7 @@ void rs_queue_init(rs_queue *queue, rs_queue_list *lists, rs_queue_block *blocks
     queue->block_count = block_count;
     queue->vacant = RS_QUEUE_NONE;
     queue->untouched = 0;
+    queue->left = block_count;
     for (uint32_t i = 0; i < RS_QUEUE_LISTS; i++) {
         lists[i].first = RS_QUEUE_NONE;
         lists[i].last = RS_QUEUE_NONE;
@@ -25,6 +26,7 @@ static uint32_t take_block(rs_queue *queue)
     } else if (queue->untouched < queue->block_count) {
         block = queue->untouched++;
     }
+    queue->left -= block != RS_QUEUE_NONE;
     return block;
 }
 
@@ -65,6 +67,7 @@ bool rs_queue_pop(rs_queue *queue, uint32_t list, uint32_t *cell)
         l->head = 0;
         queue->blocks[block].next = queue->vacant;
         queue->vacant = block;
+        queue->left++;
     }
     return true;
 }

@@ -29,6 +29,7 @@ typedef struct rs_queue {
     uint32_t block_count;
     uint32_t vacant;        /* first vacant block or RS_QUEUE_NONE */
     uint32_t untouched;     /* blocks from here on were never used */
+    uint32_t left;          /* vacant and untouched blocks */
 } rs_queue;
 
 /* Empties all lists. */

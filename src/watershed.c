@@ -31,6 +31,8 @@ typedef struct flood {
     rs_ticker *ticker;
     uint32_t max_regions, region_count;
     uint32_t cells, cells_done;
+    uint32_t level;   /* that is being flooded */
+    uint32_t reserve; /* blocks of the queue that lower levels leave to this one */
     level_set lost;   /* levels with cells that were reached but not queued, see search() */
     level_set missed; /* levels with summits that were not queued, see found_missed() */
 } flood;
@@ -67,7 +69,9 @@ static int collect_summits(flood *f)
 }
 
 /* Gives a label to a cell, unless that is an obstacle or taken. A cell that finds no room
- * in the queue stays without label, so that search() can tell it from those reached. */
+ * in the queue stays without label, so that search() can tell it from those reached. Lower
+ * levels are searched once for all that they lost, but the level in work once a region, so
+ * that it is the last to lose. */
 static inline void reach(flood *f, uint16_t label, uint32_t x, uint32_t y)
 {
     uint32_t height = f->surface[rs_frame_index(f->frame, x, y)];
@@ -80,7 +84,8 @@ static inline void reach(flood *f, uint16_t label, uint32_t x, uint32_t y)
     if (*slot != 0u) {
         return;
     }
-    if (rs_queue_push(f->queue, height, rs_cell_pack(x, y))) {
+    if ((f->queue->left > f->reserve || height == f->level) &&
+        rs_queue_push(f->queue, height, rs_cell_pack(x, y))) {
         *slot = label;
     } else {
         add_level(&f->lost, height);
@@ -101,13 +106,13 @@ static inline int visit(flood *f, uint16_t label, uint32_t x, uint32_t y)
     return ROOMSEG_OK;
 }
 
-/* Empties the list of one level, to which it may itself add. */
-static int drain(flood *f, uint32_t level)
+/* Empties the list of the level, to which it may itself add. */
+static int drain(flood *f)
 {
     uint32_t cell;
     int status = ROOMSEG_OK;
 
-    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, level, &cell)) {
+    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, f->level, &cell)) {
         uint32_t x = rs_cell_x(cell), y = rs_cell_y(cell);
 
         status = visit(f, f->labels->cells[(size_t)y * f->labels->stride + x], x, y);
@@ -115,14 +120,14 @@ static int drain(flood *f, uint32_t level)
     return status;
 }
 
-/* Label of the first neighbour that is labelled and not lower; 0: there is none. */
-static uint16_t label_beside(const flood *f, uint32_t level, uint32_t x, uint32_t y)
+/* Label of the first neighbour that is labelled and not lower than the level; 0: none. */
+static uint16_t label_beside(const flood *f, uint32_t x, uint32_t y)
 {
     const uint32_t dx[4] = {0, 0u - 1u, 1, 0}, dy[4] = {0u - 1u, 0, 0, 1};
 
     for (uint32_t k = 0; k < 4u; k++) {
         uint32_t nx = x + dx[k], ny = y + dy[k]; /* modulo 2^32 */
-        if (f->surface[rs_frame_index(f->frame, nx, ny)] >= level) {
+        if (f->surface[rs_frame_index(f->frame, nx, ny)] >= f->level) {
             uint16_t label = f->labels->cells[(size_t)ny * f->labels->stride + nx];
             if (label != 0u) {
                 return label;
@@ -132,17 +137,17 @@ static uint16_t label_beside(const flood *f, uint32_t level, uint32_t x, uint32_
     return 0;
 }
 
-/* Reads one row for the cells that a level has lost: those beside a labelled cell that is not
+/* Reads one row for the cells that the level has lost: those beside a labelled cell that is not
  * lower take its label, and the flood goes on from them. */
-static int search_row(flood *f, uint32_t level, uint32_t y)
+static int search_row(flood *f, uint32_t y)
 {
     const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
     uint16_t *labels = f->labels->cells + (size_t)y * f->labels->stride;
     int status = ROOMSEG_OK;
 
     for (uint32_t x = 0; status == ROOMSEG_OK && x < f->frame->width; x++) {
-        if (row[x] == level && labels[x] == 0u) {
-            labels[x] = label_beside(f, level, x, y);
+        if (row[x] == f->level && labels[x] == 0u) {
+            labels[x] = label_beside(f, x, y);
             if (labels[x] != 0u) {
                 status = visit(f, labels[x], x, y);
             }
@@ -151,27 +156,27 @@ static int search_row(flood *f, uint32_t level, uint32_t y)
     return status;
 }
 
-/* Completes a level that lost cells, reading the surface again while that loses others of the
+/* Completes the level if it lost cells, reading the surface again while that loses others of the
  * same level. */
-static int search(flood *f, uint32_t level)
+static int search(flood *f)
 {
     int status = ROOMSEG_OK;
 
-    while (status == ROOMSEG_OK && take_level(&f->lost, level)) {
+    while (status == ROOMSEG_OK && take_level(&f->lost, f->level)) {
         for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++) {
             status = rs_tick(f->ticker, f->frame->width, f->cells_done, f->cells)
                          ? ROOMSEG_ERR_CANCELLED
-                         : search_row(f, level, y);
+                         : search_row(f, y);
         }
         if (status == ROOMSEG_OK) {
-            status = drain(f, level);
+            status = drain(f);
         }
     }
     return status;
 }
 
 /* Labels the plateau around a cell that no region has reached. */
-static int found_region(flood *f, uint32_t level, uint32_t x, uint32_t y)
+static int found_region(flood *f, uint32_t x, uint32_t y)
 {
     uint16_t *label = &f->labels->cells[(size_t)y * f->labels->stride + x];
     int status;
@@ -186,13 +191,13 @@ static int found_region(flood *f, uint32_t level, uint32_t x, uint32_t y)
     *label = (uint16_t)f->region_count;
     status = visit(f, *label, x, y);
     if (status == ROOMSEG_OK) {
-        status = drain(f, level);
+        status = drain(f);
     }
-    return status == ROOMSEG_OK ? search(f, level) : status;
+    return status == ROOMSEG_OK ? search(f) : status;
 }
 
-/* The summits of a level that were not queued: what is still unlabelled, in reading order. */
-static int found_missed(flood *f, uint32_t level)
+/* The summits of the level that were not queued: what is still unlabelled, in reading order. */
+static int found_missed(flood *f)
 {
     int status = ROOMSEG_OK;
 
@@ -204,27 +209,27 @@ static int found_missed(flood *f, uint32_t level)
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; status == ROOMSEG_OK && x < f->frame->width; x++) {
-            if (row[x] == level && labels[x] == 0u) {
-                status = found_region(f, level, x, y);
+            if (row[x] == f->level && labels[x] == 0u) {
+                status = found_region(f, x, y);
             }
         }
     }
     return status;
 }
 
-static int flood_level(flood *f, uint32_t level)
+static int flood_level(flood *f)
 {
     uint32_t cell;
-    int status = drain(f, level);
+    int status = drain(f);
 
     if (status == ROOMSEG_OK) {
-        status = search(f, level);
+        status = search(f);
     }
-    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, SUMMITS + level, &cell)) {
-        status = found_region(f, level, rs_cell_x(cell), rs_cell_y(cell));
+    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, SUMMITS + f->level, &cell)) {
+        status = found_region(f, rs_cell_x(cell), rs_cell_y(cell));
     }
-    if (status == ROOMSEG_OK && take_level(&f->missed, level)) {
-        status = found_missed(f, level);
+    if (status == ROOMSEG_OK && take_level(&f->missed, f->level)) {
+        status = found_missed(f);
     }
     return status;
 }
@@ -233,15 +238,14 @@ int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max
                      const rs_labels *labels, uint32_t *region_count, rs_queue *queue,
                      rs_ticker *ticker)
 {
-    flood f = {frame,       surface, labels, queue,  ticker,
-               max_regions, 0,       0,      0,      {{0}},
-               {{0}}};
+    flood f = {frame, surface, labels, queue, ticker, max_regions, 0, 0, 0, 0, 0, {{0}}, {{0}}};
     int status;
 
     f.cells = frame->width * frame->height;
+    f.reserve = queue->block_count / 16u;
     status = collect_summits(&f);
-    for (uint32_t level = 255; status == ROOMSEG_OK && level > 0u; level--) {
-        status = flood_level(&f, level);
+    for (f.level = 255; status == ROOMSEG_OK && f.level > 0u; f.level--) {
+        status = flood_level(&f);
     }
     *region_count = f.region_count;
     return status;

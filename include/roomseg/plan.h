@@ -45,7 +45,7 @@
 /* Blocks of the flood queue: room for an eighteenth of the cells at once; floods of homes and
  * offices need a fiftieth to a sixteenth. Beyond that the surface is read again. */
 #define ROOMSEG_PLAN_QUEUE_BLOCKS(w, h) \
-    (ROOMSEG_PLAN_CELLS(w, h) / (18u * ROOMSEG_QUEUE_BLOCK_CELLS) + 64u)
+    (ROOMSEG_PLAN_CELLS(w, h) / (18u * ROOMSEG_QUEUE_BLOCK_CELLS) + 128u)
 
 /* Pairs of regions that touch are fewer than 3 a region, since the map is plane; pairs that
  * only share a wall come out of what is left. Hash slots: twice as many as edges, so that

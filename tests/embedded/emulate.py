@@ -1,6 +1,7 @@
 """Builds the test programs and runs them, here and in emulators."""
 
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -134,8 +135,7 @@ def split_runs(text):
 
 
 def label_crc(text):
-    words = text.split()
-    return words[words.index("labels") + 1]
+    return re.search(r" labels (\w+) ", text)[1]
 
 
 def select(names):

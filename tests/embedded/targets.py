@@ -56,6 +56,7 @@ TARGETS = {target.name: target for target in (
              "code for the Cortex-M0+ on a Cortex-M3"),
     cortex_m("m3", "cortex-m3", "mps2-an385", memory(0x21000000, 16 * M, 0x0)),
     cortex_m("m4", "cortex-m4", "mps2-an386", memory(0x21000000, 16 * M, 0x0)),
+    cortex_m("m4-soft", "cortex-m4-soft", "mps2-an386", memory(0x21000000, 16 * M, 0x0)),
     cortex_m("m4-192k", "cortex-m4", "netduinoplus2",
              memory(0x20000000, 192 * K, 0x08000000, 256 * K, maps_length=768 * K),
              "192 KB of RAM: the maps that fit"),

@@ -78,14 +78,15 @@ static int add_map(FILE *out, const char *name, const uint8_t *cells, uint32_t s
     return 0;
 }
 
-static int add_simulated(FILE *out, const char *name, const sim_options *options)
+static int add_simulated(FILE *out, const char *name, const sim_options *options,
+                         uint32_t max_regions)
 {
     sim_map flat;
     if (sim_run(options, &flat) != 0) {
         fprintf(stderr, "make_maps: %s: cannot simulate it\n", name);
         return -1;
     }
-    entry numbers = {"", flat.width, flat.height, (uint32_t)flat.resolution_mm, 0};
+    entry numbers = {"", flat.width, flat.height, (uint32_t)flat.resolution_mm, max_regions};
     int rc = add_map(out, name, flat.cells, flat.width, 0, 0, numbers);
     sim_map_free(&flat);
     return rc;
@@ -95,7 +96,7 @@ static int add_golden(FILE *out)
 {
     for (int i = 0; i < GOLDEN_COUNT; i++) {
         golden_map golden = golden_map_at(i);
-        if (add_simulated(out, golden.name, &golden.options) != 0) {
+        if (add_simulated(out, golden.name, &golden.options, 0) != 0) {
             return -1;
         }
     }
@@ -107,8 +108,8 @@ static int add_small(FILE *out)
     sim_options options = sim_options_default();
     options.seed = 7;
     options.size = FLAT_SMALL;
-    options.resolution_mm = 80;
-    return add_simulated(out, "small", &options);
+    options.resolution_mm = 60;
+    return add_simulated(out, "small", &options, 128);
 }
 
 /* The largest flat, turned so that it fills the grid; what is still outside is cut off. */

@@ -32,8 +32,10 @@ int main(void)
         text_string("failed: the first map is not the home\n");
         return 1;
     }
-    for (uint32_t i = 0; i < (uint32_t)WIDTH * HEIGHT; i++) {
-        cells[0][i] = home->cells[i];
+    for (uint32_t y = 0; y < HEIGHT; y++) {
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            cells[y][x] = home->cells[y * WIDTH + x];
+        }
     }
     config.max_regions = MAX_REGIONS;
     config.max_rooms = MAX_ROOMS;

@@ -39,20 +39,6 @@ static void write_failure(const test_map *map, const char *variant, const char *
     text_string("\n");
 }
 
-/* With fewer regions and rooms where the default numbers do not fit into the memory. */
-static int find_capacities(roomseg_config *config, const roomseg_grid *grid, size_t memory,
-                           size_t *need)
-{
-    int status = roomseg_arena_size_for_grid(config, grid, need);
-
-    if (status == ROOMSEG_OK && *need > memory) {
-        config->max_regions = 256;
-        config->max_rooms = 64;
-        status = roomseg_arena_size_for_grid(config, grid, need);
-    }
-    return status == ROOMSEG_OK && *need > memory ? ROOMSEG_ERR_ARENA_SIZE : status;
-}
-
 /* Returns 0, or 1 after a failure. A map that does not fit is told of and is none. */
 static int run_map(const test_map *map, unsigned variant)
 {
@@ -63,22 +49,19 @@ static int run_map(const test_map *map, unsigned variant)
     size_t memory, need = 0;
     uint8_t *block = platform_memory(&memory);
     size_t label_bytes = ((size_t)map->width * map->height * sizeof(uint16_t) + 7u) / 8u * 8u;
-    int status = ROOMSEG_ERR_ARENA_SIZE;
     size_t stack;
+    int status;
 
     if (!set_variant(variant, &config)) {
         return 0;
     }
     if (map->max_regions > 0u) {
         config.max_regions = map->max_regions;
-        config.max_rooms = 1024;
+        config.max_rooms = map->max_regions < 1024u ? map->max_regions : 1024u;
     }
     config.progress = stages_hook;
-    stages_begin();
-    if (label_bytes < memory) {
-        status = find_capacities(&config, &grid, memory - label_bytes, &need);
-    }
-    if (status == ROOMSEG_ERR_ARENA_SIZE) {
+    status = roomseg_arena_size_for_grid(&config, &grid, &need);
+    if (status == ROOMSEG_OK && label_bytes + need > memory) {
         text_string("# too large for this memory: ");
         text_string(map->name);
         text_string(" ");
@@ -87,6 +70,7 @@ static int run_map(const test_map *map, unsigned variant)
         text_string("\n");
         return 0;
     }
+    stages_begin();
     platform_stack_paint();
     if (status == ROOMSEG_OK) {
         status = roomseg_run(&config, &grid, (uint16_t *)(void *)block, map->width, &result,

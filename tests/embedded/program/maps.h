@@ -9,7 +9,7 @@ typedef struct test_map {
     const uint8_t *cells; /* width * height */
     uint16_t width, height;
     uint16_t resolution_mm;
-    uint16_t max_regions; /* 0: the default configuration's; else at least 1024 */
+    uint16_t max_regions; /* 0: the default configuration's */
 } test_map;
 
 extern const test_map test_maps[];

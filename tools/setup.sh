@@ -2,7 +2,8 @@
 # Installs what is missing for a purpose, and nothing else. Asks nothing.
 #
 #   tools/setup.sh [build]   compiler, CMake, make, pkg-config, stb
-#   tools/setup.sh test      the same, and Unity into build/unity
+#   tools/setup.sh test      the same, OpenCV and g++ for the comparison with it, and Unity into
+#                            build/unity
 #   tools/setup.sh ci        the same, and clang and the 32-bit libraries
 #
 # On Debian and its relatives packages come from apt-get, through sudo when it is not root who
@@ -51,6 +52,12 @@ find_missing() {
     command -v make >/dev/null 2>&1 || need make
     command -v pkg-config >/dev/null 2>&1 || need pkg-config
     pkg-config --exists stb 2>/dev/null || need libstb-dev
+    # Tests without OpenCV leave the comparison with it out.
+    if [ "$purpose" != build ] && command -v apt-get >/dev/null 2>&1; then
+        echo '#include <string>' | c++ -x c++ -fsyntax-only - 2>/dev/null || need g++
+        [ -e /usr/include/opencv4/opencv2/imgproc.hpp ] ||
+            need libopencv-core-dev libopencv-imgproc-dev
+    fi
     if [ "$purpose" = ci ]; then
         compiles gcc || need gcc libc6-dev
         compiles clang || need clang

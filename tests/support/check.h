@@ -10,10 +10,12 @@
  * enough to be dropped; each room is 4-connected, noise and clutter counting as bridges. */
 void check_labels(const run *r, const uint8_t *kinds);
 
-/* Room records against the labels: order, area, centroid, bounding box, interior point. */
+/* Room records against the labels: order, area, centroid, bounding box, interior point.
+ * kinds: NULL leaves out the distance to walls. */
 void check_rooms(const run *r, const uint8_t *kinds);
 
-/* Doorway records and links against the labels. */
+/* Doorway records and links against the labels. kinds: NULL for a profile that parts rooms by a
+ * line without labels; then the borders are not counted. */
 void check_doorways(const run *r, const uint8_t *kinds);
 
 /* All of it, and the crop. */

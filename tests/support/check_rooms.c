@@ -95,7 +95,9 @@ static void check_interior_is_best(const run *r, const uint32_t *walls2,
 void check_rooms(const run *r, const uint8_t *kinds)
 {
     tally *tallies = count_cells(r);
-    uint32_t *walls2 = reference_wall_distances2(kinds, r->grid.width, r->grid.height);
+    uint32_t *walls2 =
+        kinds == NULL ? NULL
+                      : reference_wall_distances2(kinds, r->grid.width, r->grid.height);
     for (uint32_t i = 0; i < r->result.room_count; i++) {
         const roomseg_room *room = &r->result.rooms[i];
         const tally *t = &tallies[i + 1];
@@ -106,8 +108,10 @@ void check_rooms(const run *r, const uint8_t *kinds)
             fail_with("rooms %u and %u are in the wrong order", (unsigned)i, (unsigned)i + 1);
         }
         check_record(r, room, t);
-        check_radius(r, walls2, room);
-        check_interior_is_best(r, walls2, room);
+        if (walls2 != NULL) {
+            check_radius(r, walls2, room);
+            check_interior_is_best(r, walls2, room);
+        }
     }
     free(walls2);
     free(tallies);

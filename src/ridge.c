@@ -39,7 +39,7 @@ static void make_kernel(window *w, uint32_t variance)
 {
     uint32_t step = exp_minus(rs_divide_q8((uint64_t)1u << 38, variance)); /* 2^46 / variance */
     uint32_t square = (uint32_t)((uint64_t)step * step >> 31);
-    uint32_t total = 1u << 29, rest = 1u << WEIGHT_BITS;
+    uint32_t total = 1u << 28, rest = 1u << WEIGHT_BITS;
 
     w->radius = rs_min_u32(rs_isqrt(variance) * 9u / 512u + 1u, RS_RIDGE_MAX_RADIUS);
     w->weights[0] = total;

@@ -83,6 +83,20 @@ std::vector<test_map> load_maps(const char *data_set)
     return maps;
 }
 
+test_map turned_map(const test_map &of, double degrees)
+{
+    cv::Mat crop = crop_of(of), cells;
+    int side = (int)std::ceil(std::hypot(crop.cols, crop.rows)) + 4;
+    cv::Mat matrix = cv::getRotationMatrix2D(cv::Point2f((float)crop.cols / 2, (float)crop.rows / 2),
+                                             -degrees, 1.0);
+    matrix.at<double>(0, 2) += (side - crop.cols) / 2.0;
+    matrix.at<double>(1, 2) += (side - crop.rows) / 2.0;
+    cv::warpAffine(crop, cells, matrix, cv::Size(side, side), cv::INTER_NEAREST,
+                   cv::BORDER_CONSTANT, 127);
+    return make(of.name + ", turned", cells.data, (uint32_t)side, (uint32_t)side,
+                of.grid.resolution_mm);
+}
+
 cv::Mat crop_of(const test_map &of)
 {
     return of.cells(cv::Rect((int)of.frame.x, (int)of.frame.y, (int)of.frame.width,

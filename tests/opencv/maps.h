@@ -24,6 +24,9 @@ struct test_map {
 // with a message when one cannot be made or read.
 std::vector<test_map> load_maps(const char *data_set);
 
+// The map turned by an angle, clockwise to the eye; nearest cells, unknown around.
+test_map turned_map(const test_map &map, double degrees);
+
 // The crop as the grid has it.
 cv::Mat crop_of(const test_map &map);
 

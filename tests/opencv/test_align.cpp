@@ -102,7 +102,7 @@ static double opencv_direction(const cv::Mat &image, double *length)
     return best;
 }
 
-void test_hough(const test_map &map)
+static void compare_directions(const test_map &map)
 {
     cv::Mat free = cleared(map);
     edges e = edges_of(map, free);
@@ -128,9 +128,18 @@ void test_hough(const test_map &map)
     double period = map.name.find("16_office_e") != std::string::npos ? 18 : 90;
     double angle = rs_direction_find(bins.data()) / 100.0;
     check_at_most(map.name, "direction: degrees off OpenCV's",
-                  std::fabs(std::remainder(angle - expected, period)), 1.0);
-    check_at_most(map.name, "length of all segments: share off OpenCV's",
-                  std::fabs(length / expected_length - 1), 0.25);
+                  std::fabs(std::remainder(angle - expected, period)), 1.5);
+    // OpenCV takes back votes that were never given, and so finds fewer of the last segments.
+    check_at_most(map.name, "length of all segments for each of OpenCV's",
+                  length / expected_length, 1.4);
+    check_at_least(map.name, "length of all segments for each of OpenCV's",
+                   length / expected_length, 0.95);
+}
+
+void test_hough(const test_map &map)
+{
+    compare_directions(map);
+    compare_directions(turned_map(map, 23.4));
 }
 
 // The matrix of the rotation: crop coordinates of a turned cell.

@@ -46,7 +46,7 @@ elseif(ROOMSEG_LIBC STREQUAL "newlib")
     set(link "--specs=rdimon.specs")
 elseif(ROOMSEG_LIBC STREQUAL "picolibc")
     string(APPEND flags " --specs=picolibc.specs")
-    set(link "--specs=picolibc.specs --oslib=semihost")
+    set(link "--oslib=semihost") # the linker gets the compiler's flags too
 else()
     message(FATAL_ERROR "ROOMSEG_LIBC=${ROOMSEG_LIBC} is none of none, newlib, picolibc")
 endif()

@@ -49,12 +49,15 @@ void *platform_memory(size_t *size)
     return free_start;
 }
 
-/* Below the stack pointer nothing is alive: interrupts are off. */
+/* Registers that the compiler may save below the stack pointer after it was read [words]. */
+#define OWN_FRAME 16
+
+/* Below its own frame nothing is alive: interrupts are off. */
 __attribute__((noinline)) void platform_stack_paint(void)
 {
     uint32_t *sp = stack_pointer();
 
-    for (volatile uint32_t *p = stack_limit; p < sp; p++) {
+    for (volatile uint32_t *p = stack_limit; p < sp - OWN_FRAME; p++) {
         *p = PAINT;
     }
     painted_end = sp;

@@ -21,7 +21,7 @@ typedef struct window {
     uint64_t *sums;      /* one row of 64 bits */
 } window;
 
-/* exp(-x), x in Q31 up to 0.5, by its series. */
+/* exp(-x), x in Q31 below 1, by its series. */
 static uint32_t exp_minus(uint32_t x)
 {
     uint32_t term = 1u << 31, sum = 0;
@@ -33,7 +33,7 @@ static uint32_t exp_minus(uint32_t x)
     return sum;
 }
 
-/* Weights of a Gaussian with sigma^2 = variance [Q16 cells^2, at least 1]: from one to the
+/* Weights of a Gaussian with sigma^2 = variance [Q16 cells^2, 5/6 to 16]: from one to the
  * next by w(k) = w(k-1) * u^(2k-1) with u = exp(-1 / (2 sigma^2)). */
 static void make_kernel(window *w, uint32_t variance)
 {
@@ -61,9 +61,8 @@ static uint32_t variance_of(uint32_t sigma_mm, uint32_t resolution_mm)
 {
     uint32_t sigma = rs_min_u32(rs_max_u32(sigma_mm, resolution_mm), 4u * resolution_mm);
     uint64_t squared = (uint64_t)sigma * sigma;
-    uint32_t variance = rs_divide_q8(squared << 8, resolution_mm * resolution_mm);
 
-    return rs_max_u32(variance - (1u << 16) / 6u, 1u << 16);
+    return rs_divide_q8(squared << 8, resolution_mm * resolution_mm) - (1u << 16) / 6u;
 }
 
 static uint32_t *along_row(const window *w, uint32_t y)

@@ -121,9 +121,20 @@ static bool is_end(const rs_frame *frame, rs_region *regions, uint16_t *const in
     return count == 1u;
 }
 
+/* Counts a border cell as one of the cluster's. */
+static void add_inner_cell(rs_region *root, uint32_t distance, uint32_t index, uint32_t x,
+                           uint32_t y)
+{
+    uint32_t first = root->first_cell;
+
+    rs_graph_add_cell(root, distance, index, x, y);
+    root->first_cell = rs_min_u32(first, index);
+}
+
 /* Replaces what is no region in row y; inner: its own row and those above and below. */
 static void resolve_row(const rs_frame *frame, const uint8_t *cells, uint8_t occupied_min,
-                        rs_graph *graph, uint32_t y, uint16_t *const inner[3], uint16_t *row)
+                        const uint8_t *surface, rs_graph *graph, uint32_t y,
+                        uint16_t *const inner[3], uint16_t *row)
 {
     for (uint32_t x = 0; x < frame->width; x++) {
         uint16_t region = inner[1][x];
@@ -139,15 +150,16 @@ static void resolve_row(const rs_frame *frame, const uint8_t *cells, uint8_t occ
         row[x] = region;
         root = &graph->regions[rs_cluster_root(graph->regions, region)];
         if (cells[x] < occupied_min && root->area > 0u) {
-            root->area++;
-            root->first_cell = rs_min_u32(root->first_cell, rs_frame_index(frame, x, y));
+            add_inner_cell(root, surface[rs_frame_index(frame, x, y)],
+                           rs_frame_index(frame, x, y), x, y);
         }
     }
 }
 
 int rs_graph_lines_resolve(const rs_frame *frame, const roomseg_grid *grid,
-                           uint8_t occupied_min, const rs_labels *labels, rs_graph *graph,
-                           uint16_t *rows, rs_ticker *ticker)
+                           uint8_t occupied_min, const uint8_t *surface,
+                           const rs_labels *labels, rs_graph *graph, uint16_t *rows,
+                           rs_ticker *ticker)
 {
     uint16_t *inner[3] = {rows, rows + frame->width, rows + 2u * (size_t)frame->width};
 
@@ -164,7 +176,7 @@ int rs_graph_lines_resolve(const rs_frame *frame, const roomseg_grid *grid,
         inner[2] = oldest;
         /* Row y + 1 is read from labels that are all as they were from row y on. */
         find_inner(frame, labels, graph->regions, y + 1u, inner[2]);
-        resolve_row(frame, grid_row(frame, grid, y), occupied_min, graph, y, inner,
+        resolve_row(frame, grid_row(frame, grid, y), occupied_min, surface, graph, y, inner,
                     labels->cells + (size_t)y * labels->stride);
     }
     return ROOMSEG_OK;

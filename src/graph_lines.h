@@ -20,10 +20,11 @@ int rs_graph_lines_build(const rs_frame *frame, const roomseg_grid *grid, uint8_
 /* Gives the borders inside of merged regions to these: a border cell whose two regions are
  * one now takes the label of one of them, unless it is the end of such a border, that is,
  * has exactly one such cell among its 4 neighbours. All other line cells and the background
- * become 0. Areas and first cells of the roots grow accordingly.
- * rows: 3 * frame->width elements of scratch. */
+ * become 0. The roots' areas, first cells and peaks change accordingly.
+ * surface: as above. rows: 3 * frame->width elements of scratch. */
 int rs_graph_lines_resolve(const rs_frame *frame, const roomseg_grid *grid,
-                           uint8_t occupied_min, const rs_labels *labels, rs_graph *graph,
-                           uint16_t *rows, rs_ticker *ticker);
+                           uint8_t occupied_min, const uint8_t *surface,
+                           const rs_labels *labels, rs_graph *graph, uint16_t *rows,
+                           rs_ticker *ticker);
 
 #endif

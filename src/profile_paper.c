@@ -269,8 +269,8 @@ static int write_rooms(const roomseg_config *config, const roomseg_grid *grid,
     int status;
 
     rs_ticker_part(ticker, 0, 500);
-    status = rs_graph_lines_resolve(frame, grid, config->occupied_min, labels, &b->graph,
-                                    b->line_rows, ticker);
+    status = rs_graph_lines_resolve(frame, grid, config->occupied_min, b->surface, labels,
+                                    &b->graph, b->line_rows, ticker);
     rs_ticker_part(ticker, 500, 1000);
     if (status == ROOMSEG_OK) {
         status = rs_rooms_number(&b->graph, &b->records, b->heap);

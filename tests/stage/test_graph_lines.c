@@ -86,8 +86,8 @@ static void resolve(void)
 {
     rs_ticker ticker = {0};
     uint16_t *rows = stage_scratch(3u * (size_t)frame.width, sizeof *rows);
-    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_graph_lines_resolve(&frame, &grid, 204, &labels, &graph,
-                                                             rows, &ticker));
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_graph_lines_resolve(&frame, &grid, 204, surface,
+                                                             &labels, &graph, rows, &ticker));
     free(rows);
 }
 
@@ -177,6 +177,7 @@ static void test_inner_borders(void)
     resolve();
     expect(wanted);
     TEST_ASSERT_EQUAL_UINT(11 + 9 + 2, regions[root].area);
+    TEST_ASSERT_EQUAL_UINT(rs_frame_index(&frame, 1, 2), regions[root].first_cell);
 }
 
 static void test_a_crossing_stays_without_label(void)
@@ -188,6 +189,7 @@ static void test_a_crossing_stays_without_label(void)
     TEST_ASSERT_EQUAL_UINT16(0, labels.cells[5 * frame.width + 5]);
     TEST_ASSERT_NOT_EQUAL_UINT16(0, labels.cells[5 * frame.width + 3]);
     TEST_ASSERT_NOT_EQUAL_UINT16(0, labels.cells[3 * frame.width + 5]);
+    TEST_ASSERT_EQUAL_UINT(10, regions[rs_cluster_root(regions, 1)].peak);
 }
 
 static void test_one_row(void)

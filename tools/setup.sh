@@ -5,6 +5,8 @@
 #   tools/setup.sh test      the same, OpenCV and g++ for the comparison with it, and Unity into
 #                            build/unity
 #   tools/setup.sh ci        the same, and clang and the 32-bit libraries
+#   tools/setup.sh embedded  as test, and clang, cross compilers, emulators, Python: for
+#                            tests/embedded/run.py and tools/budget.py (2.5 GB on disk)
 #
 # On Debian and its relatives packages come from apt-get, through sudo when it is not root who
 # calls. Elsewhere the script says what is missing and fails.
@@ -68,6 +70,21 @@ find_missing() {
     fi
 }
 
+find_missing_for_chips() {
+    command -v python3 >/dev/null 2>&1 || need python3
+    compiles clang || need clang
+    compiles arm-none-eabi-gcc --specs=rdimon.specs ||
+        need gcc-arm-none-eabi libnewlib-arm-none-eabi
+    compiles riscv64-unknown-elf-gcc --specs=picolibc.specs --crt0=semihost --oslib=semihost ||
+        need gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+    compiles arm-linux-gnueabihf-gcc || need gcc-arm-linux-gnueabihf libc6-dev-armhf-cross
+    compiles aarch64-linux-gnu-gcc || need gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+    compiles s390x-linux-gnu-gcc || need gcc-s390x-linux-gnu libc6-dev-s390x-cross
+    command -v qemu-system-arm >/dev/null 2>&1 || need qemu-system-arm
+    command -v qemu-system-riscv32 >/dev/null 2>&1 || need qemu-system-misc
+    command -v qemu-s390x >/dev/null 2>&1 || need qemu-user
+}
+
 install_missing() {
     [ -n "$packages" ] || return 0
     command -v apt-get >/dev/null 2>&1 || fail "missing (Debian's names):$packages"
@@ -122,12 +139,13 @@ get_unity() {
 }
 
 case $purpose in
-build | test | ci) ;;
+build | test | ci | embedded) ;;
 *)
-    echo "usage: tools/setup.sh [build|test|ci]" >&2
+    echo "usage: tools/setup.sh [build|test|ci|embedded]" >&2
     exit 2
     ;;
 esac
 find_missing
+[ "$purpose" != embedded ] || find_missing_for_chips
 install_missing
 [ "$purpose" = build ] || get_unity

@@ -20,7 +20,7 @@ echo "building ..."
     { cat build/tools.log >&2; exit 1; }
 
 roomseg=build/tools/tools/roomseg
-$roomseg simulate --seed 2 -o "$folder"
+$roomseg simulate --seed 22 -o "$folder"
 $roomseg segment "$folder/map.pgm" -o "$folder"
 echo
 echo "Look at $folder/rooms.png: the rooms of $folder/map.pgm."

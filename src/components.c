@@ -7,6 +7,7 @@ typedef struct sweep {
     uint8_t value; /* of the cells whose components are sought */
     rs_component_limits limits;
     uint32_t *stack;       /* NULL: nothing is cleared */
+    rs_ticker *ticker;
     uint32_t count, total; /* components that have ended, and their area */
 } sweep;
 
@@ -153,7 +154,7 @@ static bool is_small(const rs_component *c, rs_component_limits limits)
 
 /* Turns all cells of a small component, from its anchor outwards. A cell enters the stack
  * once, so the stack needs no more than the component's area. */
-static void clear_component(const sweep *w, const rs_component *c)
+static int clear_component(const sweep *w, const rs_component *c)
 {
     uint32_t depth = 0, stride = w->frame->stride, neighbours = w->limits.diagonal ? 8u : 4u;
     uint8_t value = w->value, other = value == 0u;
@@ -164,6 +165,10 @@ static void clear_component(const sweep *w, const rs_component *c)
     w->surface[w->stack[0]] = other;
     while (depth > 0u) {
         uint32_t cell = w->stack[--depth];
+
+        if (rs_tick(w->ticker, 1, c->max_y, w->frame->height + 2u)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
         for (uint32_t k = 0; k < neighbours; k++) {
             uint32_t next = cell + step[k];
             if (w->surface[next] == value) {
@@ -172,13 +177,15 @@ static void clear_component(const sweep *w, const rs_component *c)
             }
         }
     }
+    return ROOMSEG_OK;
 }
 
 /* Ends the components that do not reach row y: clears the small ones, frees their slots
  * and those of components that were joined to others. */
-static void end_components(sweep *w, uint32_t y, slots *s)
+static int end_components(sweep *w, uint32_t y, slots *s)
 {
     uint32_t kept = 0;
+    int status = ROOMSEG_OK;
 
     for (uint32_t i = 0; i < s->active_count; i++) {
         uint16_t slot = s->active[i];
@@ -191,16 +198,17 @@ static void end_components(sweep *w, uint32_t y, slots *s)
         if (c->parent == slot) {
             w->count++;
             w->total += c->area;
-            if (w->stack != NULL && is_small(c, w->limits)) {
-                clear_component(w, c);
+            if (status == ROOMSEG_OK && w->stack != NULL && is_small(c, w->limits)) {
+                status = clear_component(w, c);
             }
         }
         s->vacant[s->vacant_count++] = slot;
     }
     s->active_count = kept;
+    return status;
 }
 
-static int run_sweep(sweep *w, const rs_component_scratch *scratch, rs_ticker *ticker)
+static int run_sweep(sweep *w, const rs_component_scratch *scratch)
 {
     const rs_frame *frame = w->frame;
     uint32_t capacity = 2u * (uint32_t)ROOMSEG_PLAN_RUNS(frame->width);
@@ -218,12 +226,14 @@ static int run_sweep(sweep *w, const rs_component_scratch *scratch, rs_ticker *t
         uint32_t count;
         rs_run *swap;
 
-        if (rs_tick(ticker, frame->width, y, frame->height + 2u)) {
+        if (rs_tick(w->ticker, frame->width, y, frame->height + 2u)) {
             return ROOMSEG_ERR_CANCELLED;
         }
         count = find_runs(row, frame->stride, w->value, runs);
         join_row(frame, w->limits.diagonal ? 1u : 0u, above, above_count, runs, count, y, &s);
-        end_components(w, y, &s);
+        if (end_components(w, y, &s) != ROOMSEG_OK) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
         swap = above;
         above = runs;
         runs = swap;
@@ -236,21 +246,21 @@ int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
                               uint8_t *surface, const rs_component_scratch *scratch,
                               rs_ticker *ticker)
 {
-    sweep w = {frame, surface, 0, limits, scratch->stack, 0, 0};
+    sweep w = {frame, surface, 0, limits, scratch->stack, ticker, 0, 0};
 
-    return run_sweep(&w, scratch, ticker);
+    return run_sweep(&w, scratch);
 }
 
 int rs_components_keep_large_free(const rs_frame *frame, uint8_t *surface,
                                   const rs_component_scratch *scratch, rs_ticker *ticker)
 {
-    sweep w = {frame, surface, 1, {0, 0, true}, NULL, 0, 0};
-    int status = run_sweep(&w, scratch, ticker);
+    sweep w = {frame, surface, 1, {0, 0, true}, NULL, ticker, 0, 0};
+    int status = run_sweep(&w, scratch);
 
     if (status != ROOMSEG_OK || w.count < 2u) {
         return status;
     }
     w.limits.speck_cells = (w.total + w.count - 1u) / w.count;
     w.stack = scratch->stack;
-    return run_sweep(&w, scratch, ticker);
+    return run_sweep(&w, scratch);
 }

@@ -48,7 +48,8 @@ int rs_config_check(const roomseg_config *config)
                 config->unwalled_percent <= 100u &&
                 config->dilation_mm <= ROOMSEG_MAX_DILATION_MM &&
                 config->seed_obstacle_permille <= 499u &&
-                config->longest_border_mm <= ROOMSEG_MAX_BORDER_MM && config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
+                config->longest_border_mm <= ROOMSEG_MAX_BORDER_MM &&
+                config->max_regions >= 1u && config->max_regions <= ROOMSEG_MAX_REGIONS &&
                 config->max_rooms >= 1u && config->max_rooms <= ROOMSEG_MAX_ROOMS &&
                 config->max_rooms <= config->max_regions;
 

@@ -43,7 +43,8 @@
  * ROOMS is 10. */
 #define ROOMSEG_PLAN_PAPER_TABLE(X, S, w, h, small, max_regions, max_rooms)                       \
     X(S, surface, 1u, ROOMSEG_PLAN_CELLS(w, h), 0, 10)                                            \
-    X(S, small_scratch, 1u, ROOMSEG_PLAN_SMALL_BYTES(w, ROOMSEG_PLAN_FREE_STACK(w, h, small)), 1, 1) \
+    X(S, small_scratch, 1u,                                                                       \
+      ROOMSEG_PLAN_SMALL_BYTES(w, ROOMSEG_PLAN_FREE_STACK(w, h, small)), 1, 1)                    \
     X(S, lifetime, 1u, ROOMSEG_PLAN_CELLS(w, h), 2, 4)                                            \
     X(S, background, 1u, ROOMSEG_PLAN_CELLS(w, h), 2, 2)                                          \
     X(S, columns, 1u, (size_t)(w) + 2u, 2, 2)                                                     \

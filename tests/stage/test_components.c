@@ -205,6 +205,31 @@ static void test_small_obstacles(void)
     expect(rows);
 }
 
+/* Clearing a large island calls the hook too. */
+static void test_cancelling_while_an_island_is_cleared(void)
+{
+    uint32_t calls = 0, spent = 0;
+    prepare(500, 900);
+    for (uint32_t y = 0; y < 900; y++) {
+        memset(cells + rs_frame_index(&frame, 0, y), y != 430, frame.width);
+    }
+    uint8_t *before = stage_buffer(&frame);
+    memcpy(before, cells, ROOMSEG_PLAN_CELLS(500, 900));
+    rs_component_scratch scratch = make_scratch();
+    do {
+        memcpy(cells, before, ROOMSEG_PLAN_CELLS(500, 900));
+        uint32_t left = calls;
+        rs_ticker ticker = stage_canceller(&left);
+        spent = rs_components_keep_large_free(&frame, cells, &scratch, &ticker) ==
+                ROOMSEG_ERR_CANCELLED;
+        calls += spent;
+    } while (spent != 0);
+    /* Two readings of 450,000 cells, and 215,000 cells turned. */
+    TEST_ASSERT_GREATER_OR_EQUAL_UINT((2 * 450000 + 215000) / 65536, calls);
+    free(before);
+    free_scratch(&scratch);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -214,5 +239,6 @@ int main(void)
     RUN_TEST(test_nothing_free);
     RUN_TEST(test_random_maps);
     RUN_TEST(test_small_obstacles);
+    RUN_TEST(test_cancelling_while_an_island_is_cleared);
     return UNITY_END();
 }

@@ -118,7 +118,8 @@ static int draw(const golden_run *run, const uint16_t *old, const char *path)
     uint32_t height = run->result.crop_height + 2u * MARGIN;
     canvas c = {NULL, 0, 0};
     int rc = -1;
-    if (match != NULL && canvas_create(&c, PANELS * SCALE * (width + 1), SCALE * height, NO_ROOM) == 0) {
+    if (match != NULL &&
+        canvas_create(&c, PANELS * SCALE * (width + 1), SCALE * height, NO_ROOM) == 0) {
         draw_panels(run, before, match, &c);
         rc = write_canvas(&c, path);
     }

@@ -26,8 +26,8 @@ static box bounds_of_free(const uint8_t *kinds, uint32_t width, uint32_t height)
     return b;
 }
 
-/* Gathers the 8-connected wall component of `start` into `list`, marking its cells as seen. False when it
- * touches the edge of the crop, beyond which everything counts as wall. */
+/* Gathers the 8-connected wall component of `start` into `list`, marking its cells as seen. False
+ * when it touches the edge of the crop, beyond which everything counts as wall. */
 static bool gather(const uint8_t *kinds, uint32_t width, const box *crop, size_t start,
                    uint8_t *seen, size_t *list, size_t *count, box *bounds)
 {

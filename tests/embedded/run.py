@@ -23,7 +23,7 @@ CORE = (("m4", "-Os", False, "none"), ("m7", "-O2", False, "none"),
 CORE_HOSTED = ("linux-s390x",)
 LEVELS = ("-O0", "-O2", "-Os")
 # Run a program of this build on this machine, or look at files that it installs here.
-NOT_EMULATED = "^(tools_cli|package_.*{})$"
+NOT_EMULATED = "^(tools_cli|tools_study|package_.*{})$"
 TOO_LONG = "|stage_lifetime|real_.*"  # minutes in an emulator; only with --all
 
 

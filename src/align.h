@@ -13,6 +13,7 @@
 #include "plan.h"
 #include "profile.h"
 #include "rooms.h"
+#include "rotate.h"
 
 /* A grid whose walls are off by less than this is left as it is: the direction is not known
  * better, and turning blurs [degree/100]. */
@@ -41,9 +42,11 @@ typedef struct rs_find_buffers {
     rs_direction_bin *bins;
 } rs_find_buffers;
 
+#define RS_ALIGN_LOST UINT32_MAX
+
 typedef struct rs_turn_buffers {
     uint16_t *turned_labels;
-    uint32_t *anchors;
+    uint32_t *anchors; /* one cell of each room [crop, packed], or RS_ALIGN_LOST */
     uint8_t *turned_cells;
     void *turned_arena, *turned_queue;
     uint8_t *surface;
@@ -51,7 +54,7 @@ typedef struct rs_turn_buffers {
     rs_distance_scratch distance;
     rs_region *regions;
     rs_edge *edges;
-    rs_graph_scratch graph_scratch;
+    rs_measure_scratch measure;
     rs_heap_item *heap;
     roomseg_room *rooms;
     rs_room_sum *room_sums;
@@ -75,5 +78,17 @@ int rs_align_mask(const roomseg_config *config, const roomseg_grid *grid, const 
  * y axis. arena: as many bytes as the aligner's plan says. Fails iff cancelled. */
 int rs_align_find(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                   void *arena, int32_t *angle, rs_ticker *ticker);
+
+/* Free space that the profile left without label although it is open to a room gets a label
+ * of its own, so that it is not taken for what is lost in turning. Lines between rooms stay
+ * without: they are drawn anew. Turned cells become a surface. */
+int rs_align_mark_dropped(const roomseg_config *config, const rs_rotation *rotation,
+                          const rs_turn_buffers *b, rs_ticker *ticker);
+
+/* Labels of the crop from those of the turned frame. b->surface: not 0 on the cells that may
+ * carry one. Lines between rooms, if the profile has them, are RS_LINE. */
+int rs_align_carry_labels(const roomseg_config *config, const roomseg_grid *grid,
+                          const rs_rotation *rotation, const rs_turn_buffers *b,
+                          uint32_t room_count, const rs_labels *labels, rs_ticker *ticker);
 
 #endif

@@ -1,4 +1,4 @@
-/* Alignment, first half: the direction of the walls. */
+/* Alignment, first part: the direction of the walls. */
 #include "align.h"
 #include "canny.h"
 #include "components.h"
@@ -53,11 +53,14 @@ int rs_align_find(const roomseg_config *config, const roomseg_grid *grid, const 
     int status;
 
     rs_align_place_find(config, frame, grid->resolution_mm, arena, &b);
+    rs_ticker_part(ticker, 0, 150);
     limits.clutter_cells = 0; /* pillars and short pieces of wall show the direction too */
     status = rs_align_mask(config, grid, frame, limits, b.mask, b.small_scratch, ticker);
+    rs_ticker_part(ticker, 150, 500);
     if (status == ROOMSEG_OK) {
         status = rs_canny_run(frame, b.mask, b.points, &point_count, b.rows, ticker);
     }
+    rs_ticker_part(ticker, 500, 900);
     if (status == ROOMSEG_OK) {
         rs_hough_init(&hough, frame, b.mask, b.points, point_count, b.votes, b.normals);
         status = gather_directions(&hough, b.bins, ticker);

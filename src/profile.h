@@ -4,11 +4,20 @@
 #define RS_PROFILE_H
 
 #include "base.h"
+#include "graph.h"
 #include "plan.h"
 #include "watershed.h"
 
+/* Scratch of a profile's measure. */
+typedef struct rs_measure_scratch {
+    uint32_t *slots; /* ROOMSEG_PLAN_SLOTS(max_rooms) */
+    void *rows;      /* 8 * frame->width bytes, aligned to 4 */
+} rs_measure_scratch;
+
 struct roomseg_profile {
-    /* Places the buffers for a crop of width x height cells; all numbers are in range. */
+    /* Places the buffers for a crop of width x height cells; all numbers are in range.
+     * Buffers may grow with the width and with the number of cells, not with the height
+     * alone: the aligner's bound for turned frames is wide and low. */
     void (*plan)(const roomseg_config *config, uint32_t width, uint32_t height,
                  uint32_t resolution_mm, rs_plan *plan);
 
@@ -17,6 +26,16 @@ struct roomseg_profile {
     int (*run)(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                const rs_plan *plan, const rs_labels *labels, roomseg_result *result,
                void *arena, rs_ticker *ticker);
+
+    /* The rest is for the aligner, which turns labels back itself.
+     * lines: cells without label separate the rooms; else rooms touch. */
+    bool lines;
+    /* Measures the graph of the labels 1..graph->region_count, which are those of rooms; the
+     * lines between them are RS_LINE, and become 0. surface: bordered, distances.
+     * Fails iff: as rs_graph_build. */
+    int (*measure)(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+                   const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
+                   const rs_measure_scratch *scratch, rs_ticker *ticker);
 };
 
 /* Evaluates a stage unless an earlier one failed or the hook cancels on entering it. */

@@ -166,4 +166,15 @@ static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_
     return status;
 }
 
-const roomseg_profile roomseg_profile_default = {rs_plan_default, run};
+static int measure(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+                   const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
+                   const rs_measure_scratch *scratch, rs_ticker *ticker)
+{
+    const rs_graph_scratch graph_scratch = {scratch->slots, scratch->rows};
+
+    return rs_graph_build(frame, grid, config->occupied_min, surface, labels, graph,
+                          (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms), &graph_scratch,
+                          ticker);
+}
+
+const roomseg_profile roomseg_profile_default = {rs_plan_default, run, false, measure};

@@ -321,7 +321,21 @@ static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_
     return status;
 }
 
-const roomseg_profile roomseg_profile_paper = {rs_plan_paper, run};
+static int measure(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+                   const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
+                   const rs_measure_scratch *scratch, rs_ticker *ticker)
+{
+    int status = rs_graph_lines_build(frame, grid, config->occupied_min, surface, labels, graph,
+                                      (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms),
+                                      scratch->slots, ticker);
+
+    return status == ROOMSEG_OK
+               ? rs_graph_lines_resolve(frame, grid, config->occupied_min, surface, labels, graph,
+                                        scratch->rows, ticker)
+               : status;
+}
+
+const roomseg_profile roomseg_profile_paper = {rs_plan_paper, run, true, measure};
 
 roomseg_config roomseg_config_paper(void)
 {

@@ -31,8 +31,8 @@ int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_
                    uint8_t fill, uint8_t *cells, uint32_t stride, rs_ticker *ticker);
 
 /* turned: labels of the turned frame, no gap between rows.
- * labels: of the crop, each from the nearest turned cell; cells with a mask of 0 become 0, and those that the turned frame does
- * not hold. */
+ * labels: of the crop, each from the nearest turned cell; cells with a mask of 0 become 0, and
+ * those that the turned frame does not hold. */
 int rs_rotate_labels_back(const rs_rotation *rotation, const uint16_t *turned,
                           const uint8_t *mask, const rs_labels *labels, rs_ticker *ticker);
 

@@ -139,7 +139,7 @@
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_rooms) + 1u, 5, 6)                   \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 5, 6)                  \
     X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_rooms), 5, 5)                                  \
-    X(S, columns, ROOMSEG_COLUMN_BYTES, (size_t)(w), 5, 5)                                \
+    X(S, measure_rows, 8u, (size_t)(w), 5, 5)                                             \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)              \
     X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                            \
     X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 6, 6)                    \

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
 #include "run.h"
 #include "sketch.h"
 #include "unity.h"
@@ -164,6 +165,65 @@ static void test_capacities_of_the_profile(void)
     free(arena);
 }
 
+/* The paper's system: rooms and border lines come back too, and the records fit them. */
+static void test_the_paper_profile(void)
+{
+    config = roomseg_config_paper();
+    s = sketch_rooms(3, 2, 60, 14, 50);
+    for (int degrees = -44; degrees <= 44; degrees += 11) {
+        config.align = ROOMSEG_ALIGN_ON;
+        turned = sketch_turned(&s, degrees);
+        run r = run_unchecked(&config, &turned.grid);
+        check_rooms(&r, NULL);
+        TEST_ASSERT_EQUAL_UINT(6, r.result.room_count);
+        TEST_ASSERT_EQUAL_UINT(7, r.result.doorway_count);
+        for (uint32_t i = 0; i < 7; i++) {
+            const roomseg_doorway *door = &r.result.doorways[i];
+            TEST_ASSERT_EQUAL_UINT16(0, run_label(&r, door->x, door->y));
+            TEST_ASSERT_UINT_WITHIN(4, 12, door->border_cells);
+            TEST_ASSERT_UINT_WITHIN(160, 640, door->width_mm);
+        }
+        for (uint32_t y = 1; y < turned.grid.height; y++) {
+            for (uint32_t x = 1; x < turned.grid.width; x++) {
+                uint16_t here = run_label(&r, x, y);
+                const uint16_t others[3] = {run_label(&r, x - 1, y), run_label(&r, x, y - 1),
+                                            run_label(&r, x - 1, y - 1)};
+                for (int k = 0; k < 3; k++) {
+                    TEST_ASSERT_TRUE(here == 0 || others[k] == 0 || here == others[k]);
+                }
+            }
+        }
+        run_free(&r);
+        sketch_free(&turned);
+    }
+}
+
+static void test_the_paper_profile_in_exact_memory(void)
+{
+    const uint32_t sides[] = {1, 2, 3, 7, 20, 100, 333, 1000, 4096};
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        for (size_t k = 0; k < sizeof sides / sizeof *sides; k++) {
+            config = roomseg_config_paper();
+            config.align = ROOMSEG_ALIGN_ON;
+            for (int small = 0; small < 2; small++) {
+                size_t query;
+                size_t cells = ROOMSEG_PLAN_SMALL(config.speck_mm2, config.clutter_mm, 50u);
+                size_t inner = ROOMSEG_ARENA_SIZE_PAPER(
+                    ROOMSEG_PLAN_TURNED_WIDTH(sides[i], sides[k]),
+                    ROOMSEG_PLAN_TURNED_HEIGHT(sides[i], sides[k]), cells, config.max_regions,
+                    config.max_rooms);
+                TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, sides[i], sides[k],
+                                                                     50, &query));
+                TEST_ASSERT_EQUAL_size_t(
+                    query, ROOMSEG_ARENA_SIZE_ALIGNED(sides[i], sides[k], cells, config.max_rooms,
+                                                      inner));
+                config.max_regions = 1;
+                config.max_rooms = 1;
+            }
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -173,5 +233,7 @@ int main(void)
     RUN_TEST(test_grids_without_walls);
     RUN_TEST(test_noisy_turned_rooms);
     RUN_TEST(test_capacities_of_the_profile);
+    RUN_TEST(test_the_paper_profile);
+    RUN_TEST(test_the_paper_profile_in_exact_memory);
     return UNITY_END();
 }

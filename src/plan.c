@@ -1,25 +1,50 @@
 #include "plan.h"
 
-static size_t end_of(const rs_plan *plan, const rs_plan_row *rows, uint32_t i)
+/* Bytes that are alive in a stage. */
+static size_t alive_in(const rs_plan_row *rows, uint32_t count, int stage)
 {
-    return plan->offset[i] + ROOMSEG_PLAN_ALIGN(rows[i].bytes);
+    size_t bytes = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        if (rows[i].first <= stage && stage <= rows[i].last) {
+            bytes += ROOMSEG_PLAN_ALIGN(rows[i].bytes);
+        }
+    }
+    return bytes;
+}
+
+/* The most bytes that rows above row i, of the same end of the arena and alive with it, reach
+ * from that end. */
+static size_t reach_above(const rs_plan_row *rows, const size_t *reach, uint32_t i, int last)
+{
+    size_t most = 0;
+
+    for (uint32_t j = 0; j < i; j++) {
+        bool same_end = (rows[j].last == last) == (rows[i].last == last);
+
+        if (same_end && rows[j].first <= rows[i].last && rows[i].first <= rows[j].last &&
+            reach[j] > most) {
+            most = reach[j];
+        }
+    }
+    return most;
 }
 
 void rs_plan_place(const rs_plan_row *rows, uint32_t count, rs_plan *plan)
 {
+    size_t reach[RS_PLAN_MAX_BUFFERS];
+    int last = 0;
+
     plan->size = 0;
     for (uint32_t i = 0; i < count; i++) {
-        size_t offset = 0;
-        for (uint32_t j = 0; j < i; j++) {
-            if (rows[j].first <= rows[i].last && rows[i].first <= rows[j].last &&
-                end_of(plan, rows, j) > offset) {
-                offset = end_of(plan, rows, j);
-            }
-        }
-        plan->offset[i] = offset;
-        if (end_of(plan, rows, i) > plan->size) {
-            plan->size = end_of(plan, rows, i);
-        }
+        plan->size = ROOMSEG_PLAN_MAX(plan->size, alive_in(rows, count, rows[i].first));
+        last = ROOMSEG_PLAN_MAX(last, rows[i].last);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        size_t before = reach_above(rows, reach, i, last);
+
+        reach[i] = before + ROOMSEG_PLAN_ALIGN(rows[i].bytes);
+        plan->offset[i] = rows[i].last == last ? plan->size - reach[i] : before;
     }
 }
 

@@ -25,9 +25,10 @@ typedef struct rs_plan {
     size_t size;                        /* bytes of the whole arena */
 } rs_plan;
 
-/* Puts each buffer behind the last one above it in the table with which it shares a stage.
- * The tables are ordered so that this leaves no gap: the size is what the macros of
- * roomseg/plan.h compute, the most that any one stage has alive (tested). */
+/* Stacks what the last stage needs downwards from the arena's end, everything else upwards from
+ * its start; each buffer beyond those above it in the table with which it shares an end and a
+ * stage. The size is what the macros of roomseg/plan.h compute, the most that any one stage has
+ * alive. The tables are ordered so that the stacks have no gaps, and never meet (tested). */
 void rs_plan_place(const rs_plan_row *rows, uint32_t count, rs_plan *plan);
 
 /* The default profile's plan. The numbers must have been checked: width, height in

@@ -5,15 +5,15 @@
  * by it; all three agree to the byte.
  *
  *       stage   THRESHOLD COMPONENTS SURFACE WATERSHED GRAPH MERGE ROOMS
- *   surface     ####################################################### (1 byte a cell)
+ *   surface     ##########################################             (1 byte a cell)
  *   components            ########
  *   envelope                         #####
  *   queue                                  #######                      (1/4 byte a cell)
  *   graph                                          ###################
  *   records                                                      ######
  *
- * Buffers that are never alive in the same stage share bytes, so the arena is the
- * surface plus the largest of what the stages add to it. */
+ * Buffers that are never alive in the same stage share bytes: the graph and the records lie at
+ * the arena's end, all others at its start. The arena is the most that any stage has alive. */
 #ifndef ROOMSEG_PLAN_H
 #define ROOMSEG_PLAN_H
 
@@ -58,7 +58,7 @@
  * w, h: crop [cells]; small: cells of the largest obstacle that is dropped or made
  * transparent; max_regions, max_rooms: capacities. */
 #define ROOMSEG_PLAN_TABLE(X, S, w, h, small, max_regions, max_rooms)                             \
-    X(S, surface, 1u, ROOMSEG_PLAN_CELLS(w, h), 0, 6)                                             \
+    X(S, surface, 1u, ROOMSEG_PLAN_CELLS(w, h), 0, 4)                                             \
     X(S, runs, ROOMSEG_RUN_BYTES, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                                \
     X(S, components, ROOMSEG_COMPONENT_BYTES, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                    \
     X(S, active, 2u, 2u * ROOMSEG_PLAN_RUNS(w), 1, 1)                                             \

@@ -70,7 +70,7 @@ static bool touch(rs_edge_table *table, uint16_t p, uint16_t q, uint32_t h, uint
     }
     edge->border++;
     if (lower > edge->saddle) {
-        edge->saddle = lower;
+        edge->saddle = (uint16_t)lower;
         edge->x = (uint16_t)x;
         edge->y = (uint16_t)y;
     }
@@ -171,7 +171,7 @@ static bool add_wall(rs_edge_table *table, uint16_t p, uint16_t q)
         return true;
     }
     edge = rs_graph_edge(table, p, q);
-    if (edge != NULL) {
+    if (edge != NULL && edge->wall < RS_GRAPH_LONGEST_WALL) {
         edge->wall++;
     }
     return edge != NULL;

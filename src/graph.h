@@ -27,14 +27,16 @@ typedef struct rs_region {
 typedef struct rs_edge {
     uint16_t a, b;      /* labels, a < b */
     uint16_t x, y;      /* where the opening is widest, crop coordinates */
-    uint32_t saddle;    /* greatest, over the shared border, of the smaller of the distances
+    uint16_t saddle;    /* greatest, over the shared border, of the smaller of the distances
                            on both sides [RS_DISTANCE_UNIT_MM]; 0: they do not touch */
+    uint16_t wall;      /* shared wall: rows and columns that cross it [cells of length];
+                           at most RS_GRAPH_LONGEST_WALL */
     uint32_t border;    /* shared border [pairs of 4-adjacent cells] */
-    uint32_t wall;      /* shared wall: rows and columns that cross it [cells of length] */
     uint32_t next[2];   /* next half-edge in the lists of a and b */
 } rs_edge;
 
 #define RS_NO_HALF UINT32_MAX
+#define RS_GRAPH_LONGEST_WALL UINT16_MAX /* walls beyond it count as this long */
 
 RS_STATIC_ASSERT(sizeof(rs_region) == ROOMSEG_REGION_BYTES, region);
 RS_STATIC_ASSERT(sizeof(rs_edge) == ROOMSEG_EDGE_BYTES, edge);

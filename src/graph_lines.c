@@ -44,7 +44,7 @@ static bool add_border_cell(rs_edge_table *table, uint16_t p, uint16_t q, uint32
     }
     edge->border++;
     if (distance > edge->saddle) {
-        edge->saddle = distance;
+        edge->saddle = (uint16_t)distance;
         edge->x = (uint16_t)x;
         edge->y = (uint16_t)y;
     }

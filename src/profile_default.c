@@ -84,7 +84,8 @@ static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolut
     rules.passage_opening_percent = config->passage_opening_percent;
     rules.open_plan_percent = config->open_plan_percent;
     rules.no_wall_cells = NO_WALL_MM / resolution_mm;
-    rules.shared_wall_cells = config->shared_wall_mm / resolution_mm;
+    rules.shared_wall_cells =
+        rs_min_u32(config->shared_wall_mm / resolution_mm, RS_GRAPH_LONGEST_WALL);
     rules.passage_min_neighbours = config->passage_min_neighbours;
     return rules;
 }

@@ -56,7 +56,7 @@ static int measure(const roomseg_config *config, const roomseg_grid *grid, const
     status = rs_distance_run(frame, grid->resolution_mm, b->surface, &b->distance, ticker);
     if (status == ROOMSEG_OK) {
         status = config->profile->measure(config, grid, frame, b->surface, labels, &graph,
-                                          &b->measure, ticker);
+                                          b->measure_rows, ticker);
     }
     if (status == ROOMSEG_OK) {
         status = rs_rooms_number(&graph, &records, b->heap);

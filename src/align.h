@@ -54,7 +54,7 @@ typedef struct rs_turn_buffers {
     rs_distance_scratch distance;
     rs_region *regions;
     rs_edge *edges;
-    rs_measure_scratch measure;
+    void *measure_rows;
     rs_heap_item *heap;
     roomseg_room *rooms;
     rs_room_sum *room_sums;

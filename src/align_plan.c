@@ -102,8 +102,7 @@ void rs_align_place_turn(const roomseg_config *config, const rs_frame *frame,
     b->distance.least = AT(TURN_levels);
     b->regions = AT(TURN_regions);
     b->edges = AT(TURN_edges);
-    b->measure.slots = AT(TURN_slots);
-    b->measure.rows = AT(TURN_measure_rows);
+    b->measure_rows = AT(TURN_measure_rows);
     b->heap = AT(TURN_heap);
     b->rooms = AT(TURN_rooms);
     b->room_sums = AT(TURN_room_sums);

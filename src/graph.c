@@ -29,40 +29,55 @@ static uint32_t add_edge(rs_graph *graph, uint16_t a, uint16_t b)
     return e;
 }
 
-rs_edge *rs_graph_edge(rs_edge_table *table, uint16_t p, uint16_t q)
+/* The edge between two regions that both have edges. Their lists are walked side by side, so
+ * that the shorter one decides how long it takes. NO_EDGE: there is none. */
+static uint32_t find_edge(const rs_graph *graph, uint16_t p, uint16_t q)
 {
-    rs_edge *edges = table->graph->edges;
-    uint16_t a = p < q ? p : q, b = p < q ? q : p;
-    uint32_t slot;
+    uint32_t first_p = graph->regions[p].first_half, first_q = graph->regions[q].first_half;
+    uint32_t half_p = first_p, half_q = first_q;
 
-    if (table->latest != NO_EDGE && edges[table->latest].a == a && edges[table->latest].b == b) {
-        return &edges[table->latest];
-    }
-    /* Multiplicative hashing with 2^32 / golden ratio (Knuth); the product's upper half
-     * is uniform, so scaling it gives a slot without a division. */
-    slot = ((((uint32_t)a << 16 | b) * 2654435769u) >> 16);
-    slot = (uint32_t)(((uint64_t)slot * table->slot_count) >> 16);
-    while (table->slots[slot] != NO_EDGE) {
-        rs_edge *edge = &edges[table->slots[slot]];
-        if (edge->a == a && edge->b == b) {
-            table->latest = table->slots[slot];
-            return edge;
+    do {
+        if (rs_graph_other_end(graph, half_p) == q) {
+            return half_p >> 1;
         }
-        slot = slot + 1u == table->slot_count ? 0u : slot + 1u;
+        if (rs_graph_other_end(graph, half_q) == p) {
+            return half_q >> 1;
+        }
+        half_p = rs_graph_next_half(graph, half_p);
+        half_q = rs_graph_next_half(graph, half_q);
+    } while (half_p != first_p && half_q != first_q);
+    return NO_EDGE;
+}
+
+rs_edge *rs_graph_edge(rs_graph_builder *builder, uint16_t p, uint16_t q)
+{
+    rs_graph *graph = builder->graph;
+    uint16_t a = p < q ? p : q, b = p < q ? q : p;
+    uint32_t e = builder->latest;
+
+    if (e != NO_EDGE && graph->edges[e].a == a && graph->edges[e].b == b) {
+        return &graph->edges[e];
     }
-    if (table->graph->edge_count == table->max_edges) {
-        return NULL;
+    e = NO_EDGE;
+    if (graph->regions[a].first_half != RS_NO_HALF &&
+        graph->regions[b].first_half != RS_NO_HALF) {
+        e = find_edge(graph, a, b);
     }
-    table->latest = add_edge(table->graph, a, b);
-    table->slots[slot] = table->latest;
-    return &edges[table->latest];
+    if (e == NO_EDGE) {
+        if (graph->edge_count == builder->max_edges) {
+            return NULL;
+        }
+        e = add_edge(graph, a, b);
+    }
+    builder->latest = e;
+    return &graph->edges[e];
 }
 
 /* Notes that cell (x, y) of height h and label p touches a cell of height g and label q. */
-static bool touch(rs_edge_table *table, uint16_t p, uint16_t q, uint32_t h, uint32_t g,
+static bool touch(rs_graph_builder *builder, uint16_t p, uint16_t q, uint32_t h, uint32_t g,
                   uint32_t x, uint32_t y)
 {
-    rs_edge *edge = rs_graph_edge(table, p, q);
+    rs_edge *edge = rs_graph_edge(builder, p, q);
     uint32_t lower = rs_min_u32(h, g);
 
     if (edge == NULL) {
@@ -118,13 +133,11 @@ static void add_face(const source *from, rs_region *region, uint32_t x, uint32_t
     }
 }
 
-void rs_graph_begin(rs_graph *graph, uint32_t max_edges, uint32_t *slots, rs_edge_table *table)
+void rs_graph_begin(rs_graph *graph, uint32_t max_edges, rs_graph_builder *builder)
 {
-    table->graph = graph;
-    table->slots = slots;
-    table->slot_count = 2u * max_edges;
-    table->max_edges = max_edges;
-    table->latest = NO_EDGE;
+    builder->graph = graph;
+    builder->max_edges = max_edges;
+    builder->latest = NO_EDGE;
 
     graph->edge_count = 0;
     memset(graph->regions, 0, (graph->region_count + 1u) * sizeof *graph->regions);
@@ -132,7 +145,6 @@ void rs_graph_begin(rs_graph *graph, uint32_t max_edges, uint32_t *slots, rs_edg
         graph->regions[r].parent = (uint16_t)r;
         graph->regions[r].first_half = RS_NO_HALF;
     }
-    memset(table->slots, 0xFF, table->slot_count * sizeof *table->slots); /* NO_EDGE */
 }
 
 /* Measures the faces of cell (x, y) and of its right and lower neighbours towards each
@@ -163,14 +175,14 @@ static void measure_faces(const source *from, rs_region *regions, uint16_t here,
     }
 }
 
-static bool add_wall(rs_edge_table *table, uint16_t p, uint16_t q)
+static bool add_wall(rs_graph_builder *builder, uint16_t p, uint16_t q)
 {
     rs_edge *edge;
 
     if (p == 0u || p == q) {
         return true;
     }
-    edge = rs_graph_edge(table, p, q);
+    edge = rs_graph_edge(builder, p, q);
     if (edge != NULL && edge->wall < RS_GRAPH_LONGEST_WALL) {
         edge->wall++;
     }
@@ -178,8 +190,8 @@ static bool add_wall(rs_edge_table *table, uint16_t p, uint16_t q)
 }
 
 /* Where a run of obstacles ends, to the right or below: does a thin wall end with it? */
-static bool measure_walls(const source *from, rs_edge_table *table, wall_scan *scan, uint16_t here,
-                          uint16_t right, uint16_t lower, uint32_t x, uint32_t y)
+static bool measure_walls(const source *from, rs_graph_builder *builder, wall_scan *scan,
+                          uint16_t here, uint16_t right, uint16_t lower, uint32_t x, uint32_t y)
 {
     rs_column *column = &scan->columns[x];
     bool stored = true;
@@ -193,21 +205,21 @@ static bool measure_walls(const source *from, rs_edge_table *table, wall_scan *s
         column->label = here;
     }
     if (here == 0u && right != 0u && x - scan->row_x <= from->wall_cells) {
-        stored = add_wall(table, scan->row_label, right);
+        stored = add_wall(builder, scan->row_label, right);
     }
     if (here == 0u && lower != 0u && y - column->y <= from->wall_cells) {
-        stored = stored && add_wall(table, column->label, lower);
+        stored = stored && add_wall(builder, column->label, lower);
     }
     return stored;
 }
 
 /* One row of labels; `below` is NULL behind the last one. */
-static bool read_row(const source *from, rs_edge_table *table, wall_scan *scan,
+static bool read_row(const source *from, rs_graph_builder *builder, wall_scan *scan,
                      const uint8_t *height, const uint16_t *row, const uint16_t *below,
                      uint32_t y)
 {
     const rs_frame *frame = from->frame;
-    rs_region *regions = table->graph->regions;
+    rs_region *regions = builder->graph->regions;
     const uint8_t *cells =
         from->grid->cells + (size_t)(frame->y + y) * from->grid->stride + frame->x;
     uint32_t index = rs_frame_index(frame, 0, y);
@@ -219,7 +231,7 @@ static bool read_row(const source *from, rs_edge_table *table, wall_scan *scan,
 
         if (here == 0u || right == 0u || lower == 0u || x == 0u || y == 0u) {
             measure_faces(from, regions, here, right, lower, x, y);
-            if (!measure_walls(from, table, scan, here, right, lower, x, y)) {
+            if (!measure_walls(from, builder, scan, here, right, lower, x, y)) {
                 return false;
             }
         }
@@ -230,11 +242,11 @@ static bool read_row(const source *from, rs_edge_table *table, wall_scan *scan,
             rs_graph_add_cell(&regions[here], height[x], index + x, x, y);
         }
         if (right != here && right != 0u &&
-            !touch(table, here, right, height[x], height[x + 1u], x, y)) {
+            !touch(builder, here, right, height[x], height[x + 1u], x, y)) {
             return false;
         }
         if (lower != here && lower != 0u &&
-            !touch(table, here, lower, height[x], height[x + frame->stride], x, y)) {
+            !touch(builder, here, lower, height[x], height[x + frame->stride], x, y)) {
             return false;
         }
     }
@@ -243,13 +255,13 @@ static bool read_row(const source *from, rs_edge_table *table, wall_scan *scan,
 
 int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   uint32_t max_edges, const rs_graph_scratch *scratch, rs_ticker *ticker)
+                   uint32_t max_edges, rs_column *columns, rs_ticker *ticker)
 {
-    rs_edge_table table;
+    rs_graph_builder builder;
     source from = {frame, grid, occupied_min, RS_GRAPH_WALL_MM / grid->resolution_mm};
-    wall_scan scan = {scratch->columns, 0, 0};
+    wall_scan scan = {columns, 0, 0};
 
-    rs_graph_begin(graph, max_edges, scratch->slots, &table);
+    rs_graph_begin(graph, max_edges, &builder);
     memset(scan.columns, 0, frame->width * sizeof *scan.columns);
     for (uint32_t y = 0; y < frame->height; y++) {
         const uint16_t *row = labels->cells + (size_t)y * labels->stride;
@@ -259,7 +271,7 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
             return ROOMSEG_ERR_CANCELLED;
         }
         scan.row_label = 0;
-        if (!read_row(&from, &table, &scan, surface + rs_frame_index(frame, 0, y), row, below,
+        if (!read_row(&from, &builder, &scan, surface + rs_frame_index(frame, 0, y), row, below,
                       y)) {
             return ROOMSEG_ERR_REGIONS;
         }

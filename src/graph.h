@@ -48,12 +48,6 @@ typedef struct rs_column {
 
 RS_STATIC_ASSERT(sizeof(rs_column) == ROOMSEG_COLUMN_BYTES, column);
 
-/* Scratch of rs_graph_build, no preparation needed. */
-typedef struct rs_graph_scratch {
-    uint32_t *slots;    /* ROOMSEG_PLAN_SLOTS(n), n as for max_edges */
-    rs_column *columns; /* frame->width */
-} rs_graph_scratch;
-
 /* Obstacles of at most this thickness between two regions are a wall that they share. */
 #define RS_GRAPH_WALL_MM 350u
 
@@ -76,20 +70,19 @@ static inline uint32_t rs_graph_next_half(const rs_graph *graph, uint32_t half)
     return graph->edges[half >> 1].next[half & 1u];
 }
 
-/* Edges by their pair of regions: open addressing with linear probing. */
-typedef struct rs_edge_table {
+/* A graph that is being built. */
+typedef struct rs_graph_builder {
     rs_graph *graph;
-    uint32_t *slots; /* edge index or UINT32_MAX */
-    uint32_t slot_count, max_edges;
+    uint32_t max_edges;
     uint32_t latest; /* the edge asked for last; borders repeat themselves */
-} rs_edge_table;
+} rs_graph_builder;
 
-/* Empties the graph, but for region_count regions without cells, and the table.
- * slots: 2 * max_edges. */
-void rs_graph_begin(rs_graph *graph, uint32_t max_edges, uint32_t *slots, rs_edge_table *table);
+/* Empties the graph, but for region_count regions without cells. */
+void rs_graph_begin(rs_graph *graph, uint32_t max_edges, rs_graph_builder *builder);
 
-/* The edge between two regions, made when it is new; NULL when there is no room for it. */
-rs_edge *rs_graph_edge(rs_edge_table *table, uint16_t p, uint16_t q);
+/* The edge between two regions, made when it is new; NULL when there is no room for it. Takes
+ * as many steps as the region of the fewer neighbours has, which are few in a plane map. */
+rs_edge *rs_graph_edge(rs_graph_builder *builder, uint16_t p, uint16_t q);
 
 /* Counts a cell of a region; cells come in reading order. index: bordered. */
 void rs_graph_add_cell(rs_region *region, uint32_t height, uint32_t index, uint32_t x,
@@ -97,11 +90,11 @@ void rs_graph_add_cell(rs_region *region, uint32_t height, uint32_t index, uint3
 
 /* Measures the regions and their openings in one reading of the labels.
  * graph: regions of region_count + 1 elements and edges of max_edges, to be filled.
- * max_edges: ROOMSEG_PLAN_EDGES(n) for some n.
+ * columns: frame->width elements of scratch, no preparation needed.
  * Fails iff: cancelled, or more than max_edges pairs of regions touch or share a wall
  * (ROOMSEG_ERR_REGIONS; pairs that touch are fewer than 3 a region, as in every plane map). */
 int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   uint32_t max_edges, const rs_graph_scratch *scratch, rs_ticker *ticker);
+                   uint32_t max_edges, rs_column *columns, rs_ticker *ticker);
 
 #endif

@@ -34,10 +34,10 @@ static bool find_pair(const rs_frame *frame, const rs_labels *labels, uint32_t x
     return *q != 0u;
 }
 
-static bool add_border_cell(rs_edge_table *table, uint16_t p, uint16_t q, uint32_t distance,
+static bool add_border_cell(rs_graph_builder *builder, uint16_t p, uint16_t q, uint32_t distance,
                             uint32_t x, uint32_t y)
 {
-    rs_edge *edge = rs_graph_edge(table, p, q);
+    rs_edge *edge = rs_graph_edge(builder, p, q);
 
     if (edge == NULL) {
         return false;
@@ -58,11 +58,11 @@ static const uint8_t *grid_row(const rs_frame *frame, const roomseg_grid *grid, 
 
 int rs_graph_lines_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                          const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                         uint32_t max_edges, uint32_t *slots, rs_ticker *ticker)
+                         uint32_t max_edges, rs_ticker *ticker)
 {
-    rs_edge_table table;
+    rs_graph_builder builder;
 
-    rs_graph_begin(graph, max_edges, slots, &table);
+    rs_graph_begin(graph, max_edges, &builder);
     for (uint32_t y = 0; y < frame->height; y++) {
         const uint8_t *cells = grid_row(frame, grid, y);
         const uint16_t *row = labels->cells + (size_t)y * labels->stride;
@@ -79,7 +79,7 @@ int rs_graph_lines_build(const rs_frame *frame, const roomseg_grid *grid, uint8_
                 rs_graph_add_cell(&graph->regions[row[x]], distance, index + x, x, y);
             }
             if (row[x] == RS_LINE && find_pair(frame, labels, x, y, &p, &q) &&
-                !add_border_cell(&table, p, q, distance, x, y)) {
+                !add_border_cell(&builder, p, q, distance, x, y)) {
                 return ROOMSEG_ERR_REGIONS;
             }
         }

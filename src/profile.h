@@ -8,12 +8,6 @@
 #include "plan.h"
 #include "watershed.h"
 
-/* Scratch of a profile's measure. */
-typedef struct rs_measure_scratch {
-    uint32_t *slots; /* ROOMSEG_PLAN_SLOTS(max_rooms) */
-    void *rows;      /* 8 * frame->width bytes, aligned to 4 */
-} rs_measure_scratch;
-
 struct roomseg_profile {
     /* Places the buffers for a crop of width x height cells; all numbers are in range.
      * Buffers may grow with the width and with the number of cells, not with the height
@@ -31,11 +25,12 @@ struct roomseg_profile {
      * lines: cells without label separate the rooms; else rooms touch. */
     bool lines;
     /* Measures the graph of the labels 1..graph->region_count, which are those of rooms; the
-     * lines between them are RS_LINE, and become 0. surface: bordered, distances.
+     * lines between them are RS_LINE, and become 0. surface: bordered, distances. rows: scratch
+     * of 8 * frame->width bytes, aligned to 4.
      * Fails iff: as rs_graph_build. */
     int (*measure)(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   const rs_measure_scratch *scratch, rs_ticker *ticker);
+                   void *rows, rs_ticker *ticker);
 };
 
 /* Evaluates a stage unless an earlier one failed or the hook cancels on entering it. */

@@ -23,7 +23,7 @@ typedef struct rs_buffers {
     uint32_t queue_block_count;
     rs_graph graph;
     uint32_t max_edges;
-    rs_graph_scratch graph_scratch;
+    rs_column *columns;
     rs_heap_item *heap;
     rs_room_records records;
 } rs_buffers;
@@ -51,8 +51,7 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->graph.region_count = 0;
     b->graph.edge_count = 0;
     b->max_edges = (uint32_t)ROOMSEG_PLAN_EDGES(config->max_regions);
-    b->graph_scratch.slots = AT(slots);
-    b->graph_scratch.columns = AT(columns);
+    b->columns = AT(columns);
     b->heap = AT(heap);
     b->records.rooms = AT(rooms);
     b->records.sums = AT(room_sums);
@@ -125,7 +124,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
                                       &b->graph.region_count, &queue, ticker));
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
-                                b->max_edges, &b->graph_scratch, ticker));
+                                b->max_edges, b->columns, ticker));
     if (status == ROOMSEG_OK) {
         isolated = isolated_cells(config, rules.smallest_cells, &b->graph);
     }
@@ -169,13 +168,10 @@ static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_
 
 static int measure(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   const rs_measure_scratch *scratch, rs_ticker *ticker)
+                   void *rows, rs_ticker *ticker)
 {
-    const rs_graph_scratch graph_scratch = {scratch->slots, scratch->rows};
-
     return rs_graph_build(frame, grid, config->occupied_min, surface, labels, graph,
-                          (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms), &graph_scratch,
-                          ticker);
+                          (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms), rows, ticker);
 }
 
 const roomseg_profile roomseg_profile_default = {rs_plan_default, run, false, measure};

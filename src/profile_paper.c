@@ -41,7 +41,6 @@ typedef struct paper_buffers {
     rs_queue_block *line_blocks;
     rs_distance_scratch distance;
     rs_graph graph;
-    uint32_t *slots;
     rs_heap_item *heap;
     uint32_t *marks;
     uint16_t *line_rows;
@@ -104,7 +103,6 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->distance.least = AT(levels);
     b->graph.regions = AT(regions);
     b->graph.edges = AT(edges);
-    b->slots = AT(slots);
     b->heap = AT(heap);
     b->marks = AT(marks);
     b->line_rows = AT(line_rows);
@@ -243,7 +241,7 @@ static int build_graph(const roomseg_config *config, const roomseg_grid *grid,
     return status == ROOMSEG_OK
                ? rs_graph_lines_build(frame, grid, config->occupied_min, b->surface, labels,
                                       &b->graph, (uint32_t)ROOMSEG_PLAN_EDGES(config->max_regions),
-                                      b->slots, ticker)
+                                      ticker)
                : status;
 }
 
@@ -323,15 +321,14 @@ static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_
 
 static int measure(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
-                   const rs_measure_scratch *scratch, rs_ticker *ticker)
+                   void *rows, rs_ticker *ticker)
 {
     int status = rs_graph_lines_build(frame, grid, config->occupied_min, surface, labels, graph,
-                                      (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms),
-                                      scratch->slots, ticker);
+                                      (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms), ticker);
 
     return status == ROOMSEG_OK
                ? rs_graph_lines_resolve(frame, grid, config->occupied_min, surface, labels, graph,
-                                        scratch->rows, ticker)
+                                        rows, ticker)
                : status;
 }
 

@@ -48,10 +48,8 @@
     (ROOMSEG_PLAN_CELLS(w, h) / (18u * ROOMSEG_QUEUE_BLOCK_CELLS) + 128u)
 
 /* Pairs of regions that touch are fewer than 3 a region, since the map is plane; pairs that
- * only share a wall come out of what is left. Hash slots: twice as many as edges, so that
- * at most half of them are taken. */
+ * only share a wall come out of what is left. */
 #define ROOMSEG_PLAN_EDGES(regions) ((size_t)(regions) * 3u)
-#define ROOMSEG_PLAN_SLOTS(regions) ((size_t)(regions) * 6u)
 
 /* X(buffer, bytes of an element, elements, first stage, last stage); stages are numbered
  * from 0 in the order of the drawing above.
@@ -70,7 +68,6 @@
     X(S, queue_blocks, ROOMSEG_QUEUE_BLOCK_BYTES, ROOMSEG_PLAN_QUEUE_BLOCKS(w, h), 3, 3)          \
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 4, 6)                         \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 4, 6)                        \
-    X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_regions), 4, 4)                                        \
     X(S, columns, ROOMSEG_COLUMN_BYTES, (size_t)(w), 4, 4)                                        \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 5, 6)                    \
     X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                                    \
@@ -138,7 +135,6 @@
     X(S, levels, 4u, 256u, 4, 4)                                                          \
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_rooms) + 1u, 5, 6)                   \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 5, 6)                  \
-    X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_rooms), 5, 5)                                  \
     X(S, measure_rows, 8u, (size_t)(w), 5, 5)                                             \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_rooms), 6, 6)              \
     X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 6)                            \

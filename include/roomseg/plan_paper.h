@@ -60,7 +60,6 @@
     X(S, levels, 4u, 256u, 7, 7)                                                                  \
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 8, 10)                        \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 8, 10)                       \
-    X(S, slots, 4u, ROOMSEG_PLAN_SLOTS(max_regions), 8, 8)                                        \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 9, 10)                   \
     X(S, marks, 4u, (size_t)(max_regions) + 1u, 9, 9)                                             \
     X(S, line_rows, 2u, 3u * (size_t)(w), 10, 10)                                                 \

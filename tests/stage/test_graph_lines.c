@@ -17,7 +17,6 @@ static rs_labels labels;
 static roomseg_grid grid;
 static rs_region regions[MAX_REGIONS + 1];
 static rs_edge edges[MAX_EDGES];
-static uint32_t slots[2 * MAX_EDGES];
 static rs_graph graph;
 
 void setUp(void)
@@ -68,7 +67,7 @@ static void draw(const char *const *rows, uint32_t height)
 static int build(uint32_t max_edges)
 {
     rs_ticker ticker = {0};
-    return rs_graph_lines_build(&frame, &grid, 204, surface, &labels, &graph, max_edges, slots,
+    return rs_graph_lines_build(&frame, &grid, 204, surface, &labels, &graph, max_edges,
                                 &ticker);
 }
 

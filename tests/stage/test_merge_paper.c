@@ -12,9 +12,8 @@ enum { MAX_REGIONS = 60, MAX_EDGES = 3 * MAX_REGIONS };
 
 static rs_region regions[MAX_REGIONS + 1];
 static rs_edge edges[MAX_EDGES];
-static uint32_t slots[2 * MAX_EDGES];
 static rs_graph graph;
-static rs_edge_table table;
+static rs_graph_builder builder;
 static rs_heap_item heap[MAX_EDGES];
 static uint32_t marks[MAX_REGIONS + 1];
 static rs_merge_paper_rules rules;
@@ -35,7 +34,7 @@ static void make_regions(const uint32_t *areas)
     while (areas[graph.region_count] > 0) {
         graph.region_count++;
     }
-    rs_graph_begin(&graph, MAX_EDGES, slots, &table);
+    rs_graph_begin(&graph, MAX_EDGES, &builder);
     for (uint32_t r = 1; r <= graph.region_count; r++) {
         regions[r].area = areas[r - 1];
     }
@@ -43,7 +42,7 @@ static void make_regions(const uint32_t *areas)
 
 static void share(uint16_t p, uint16_t q, uint32_t border)
 {
-    rs_graph_edge(&table, p, q)->border = border;
+    rs_graph_edge(&builder, p, q)->border = border;
 }
 
 static void merge(void)

@@ -116,6 +116,20 @@ static void test_capacities(void)
     }
 }
 
+/* What ROOMSEG_ARENA_SIZE_USUAL is for: a config of the usual capacities, which are in range. */
+static void test_usual_capacities(void)
+{
+    for (uint32_t side = 1; side <= 16384; side = side * 3 + 1) {
+        for (uint32_t mm = ROOMSEG_MIN_RESOLUTION_MM; mm <= ROOMSEG_MAX_RESOLUTION_MM; mm += 30) {
+            size_t query;
+            config.max_regions = ROOMSEG_USUAL_REGIONS(side, side, mm);
+            config.max_rooms = ROOMSEG_USUAL_ROOMS(side, side, mm);
+            TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, side, side, mm, &query));
+            TEST_ASSERT_EQUAL_size_t(query, ROOMSEG_ARENA_SIZE_USUAL(side, side, mm));
+        }
+    }
+}
+
 /* A run needs what the macro says for its crop. */
 static void test_a_run_uses_that_much(void)
 {
@@ -143,9 +157,11 @@ static void test_the_readme_formula(void)
             TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
                                   roomseg_arena_size(&config, sides[i], sides[i], 50, &exact));
             double cells = (sides[i] + 2.0) * (sides[i] + 2.0);
-            double by_graph = cells + 140.0 * config.max_regions + 116.0 * config.max_rooms;
+            double by_graph = cells + 105.0 * config.max_regions;
             double by_queue = 1.25 * cells + 10300.0;
+            double by_rooms = 128.0 * config.max_regions + 100.0 * config.max_rooms;
             double formula = by_graph > by_queue ? by_graph : by_queue;
+            formula = formula > by_rooms ? formula : by_rooms;
             TEST_ASSERT_DOUBLE_WITHIN(0.01 * (double)exact, formula, (double)exact);
         }
     }
@@ -160,6 +176,7 @@ int main(void)
     RUN_TEST(test_default_macro);
     RUN_TEST(test_each_field_at_its_ends);
     RUN_TEST(test_capacities);
+    RUN_TEST(test_usual_capacities);
     RUN_TEST(test_a_run_uses_that_much);
     RUN_TEST(test_the_readme_formula);
     return UNITY_END();

@@ -50,11 +50,16 @@ static void check_map(const char *path)
            (unsigned)r.result.room_count, (unsigned)r.result.doorway_count,
            (unsigned)r.result.region_count, (unsigned long)r.arena_size);
     TEST_ASSERT_GREATER_THAN_UINT(1, r.result.room_count);
+    uint32_t width = r.result.crop_width, height = r.result.crop_height;
+    TEST_ASSERT_LESS_OR_EQUAL_UINT(ROOMSEG_USUAL_REGIONS(width, height, grid.resolution_mm),
+                                   r.result.region_count);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT(ROOMSEG_USUAL_ROOMS(width, height, grid.resolution_mm),
+                                   r.result.room_count);
     /* At most 8 bytes a cell of the crop, and what the capacities cost. */
     size_t fixed;
     TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
                           roomseg_arena_size(&config, 1, 1, grid.resolution_mm, &fixed));
-    size_t cells = (size_t)r.result.crop_width * r.result.crop_height;
+    size_t cells = (size_t)width * height;
     TEST_ASSERT_LESS_OR_EQUAL_size_t(fixed + 8 * cells, r.arena_size);
     run_free(&r);
     map_free(&m);

@@ -173,9 +173,14 @@ static int find_lifetime(const roomseg_config *config, const rs_frame *frame,
                                      HALVE_SIGMA_Q4, ROOMSEG_BLUR_MARGIN};
     int status = grow_obstacles(config, frame, resolution_mm, labels, b, ticker);
 
-    rs_ticker_part(ticker, 200, 1000);
-    return status == ROOMSEG_OK ? rs_lifetime_run(frame, &rules, b->lifetime, &b->blur, ticker)
-                                : status;
+    rs_ticker_part(ticker, 200, 980);
+    if (status == ROOMSEG_OK) {
+        status = rs_lifetime_run(frame, &rules, b->lifetime, &b->blur, ticker);
+    }
+    rs_ticker_part(ticker, 980, 1000);
+    return status == ROOMSEG_OK
+               ? rs_seeds_leave_out(frame, RS_BACKGROUND, labels, b->lifetime, ticker)
+               : status;
 }
 
 /* One leaf seed for each maximum of the lifetime, as it was at its birth. */

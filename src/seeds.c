@@ -75,3 +75,20 @@ int rs_seeds_mark_obstacles(const rs_frame *frame, const uint8_t *cells, uint16_
     }
     return ROOMSEG_OK;
 }
+
+int rs_seeds_leave_out(const rs_frame *frame, uint16_t label, const rs_labels *labels,
+                       uint8_t *lifetime, rs_ticker *ticker)
+{
+    for (uint32_t y = 0; y < frame->height; y++) {
+        uint8_t *t = lifetime + rs_frame_index(frame, 0, y);
+        const uint16_t *row = labels->cells + (size_t)y * labels->stride;
+
+        if (rs_tick(ticker, frame->width, y, frame->height)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        for (uint32_t x = 0; x < frame->width; x++) {
+            t[x] = row[x] == label ? 0u : t[x];
+        }
+    }
+    return ROOMSEG_OK;
+}

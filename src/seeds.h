@@ -21,4 +21,9 @@ int rs_seeds_run(const rs_frame *frame, const uint8_t *lifetime, uint32_t region
 int rs_seeds_mark_obstacles(const rs_frame *frame, const uint8_t *cells, uint16_t label,
                             const rs_labels *labels, rs_ticker *ticker);
 
+/* Sets the lifetime to 0 on the cells that carry `label`: around a small obstacle in a wide
+ * space the blur leaves its cells too, but the watershed wants cells of T > 0 without label. */
+int rs_seeds_leave_out(const rs_frame *frame, uint16_t label, const rs_labels *labels,
+                       uint8_t *lifetime, rs_ticker *ticker);
+
 #endif

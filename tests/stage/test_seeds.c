@@ -244,6 +244,21 @@ static void test_marking_obstacles(void)
     TEST_ASSERT_EQUAL_UINT16_ARRAY(wanted, labels.cells, 6);
 }
 
+static void test_leaving_out_a_label(void)
+{
+    rs_ticker ticker = {0};
+    const char *const rows[] = {"123", "456"};
+    draw(rows, 2);
+    *label_at(1, 0) = 900;
+    *label_at(0, 1) = 7;
+    *label_at(2, 1) = 900;
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_seeds_leave_out(&frame, 900, &labels, lifetime, &ticker));
+    const uint8_t wanted[] = {1, 0, 3, 4, 5, 0};
+    for (uint32_t i = 0; i < 6; i++) {
+        TEST_ASSERT_EQUAL_UINT8(wanted[i], lifetime[rs_frame_index(&frame, i % 3, i / 3)]);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -253,5 +268,6 @@ int main(void)
     RUN_TEST(test_corners_do_not_connect);
     RUN_TEST(test_random_maps);
     RUN_TEST(test_marking_obstacles);
+    RUN_TEST(test_leaving_out_a_label);
     return UNITY_END();
 }

@@ -89,15 +89,16 @@ static void add_step(uint16_t *out, uint32_t length, uint32_t x, bool up)
 static void blur_across(window *w, uint32_t y)
 {
     uint16_t *out = w->across[TAPS - 1u];
-    const uint8_t *row;
+    const uint8_t *row, *before;
 
     memset(out, 0, w->length * sizeof *out);
     if (y >= w->frame->height) {
         return;
     }
     row = w->mask + rs_frame_index(w->frame, 0, y);
+    before = row - 1;
     for (uint32_t x = 0; x < w->frame->width; x++) {
-        if (row[x] != row[(size_t)x - 1u]) {
+        if (row[x] != before[x]) {
             add_step(out, w->length, x, row[x] != 0u);
         }
     }

@@ -7,6 +7,23 @@
 #include "map_pgm.h"
 #include "png_check.h"
 
+/* The PNG decoder grows the block of decompressed bytes as long as there are more of them,
+ * whatever the size of the image. So no block may grow beyond this. */
+static uint64_t png_block_limit;
+static int png_block_refused;
+
+static void *grow_png_block(void *block, size_t size) {
+    if (size > png_block_limit) {
+        png_block_refused = 1;
+        return NULL;
+    }
+    return realloc(block, size);
+}
+
+#define STBI_MALLOC(size) malloc(size)
+#define STBI_REALLOC(block, size) grow_png_block(block, size)
+#define STBI_FREE(block) free(block)
+
 /* The warnings of third-party code are not ours to fix. */
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -110,6 +127,36 @@ static const char *take_samples(const samples *s, image *out) {
     return NULL;
 }
 
+/* Deflate makes at most 1032 bytes of one. */
+#define MOST_EXPANSION 1032u
+
+/* Decodes the samples, at most twice as many bytes as the image takes. *decoded is to be freed
+ * by stbi_image_free; NULL: failed, and the function returns what is wrong with the file. */
+static const char *decode_samples(const unsigned char *bytes, size_t size, const png_info *info,
+                                  void **decoded, samples *out) {
+    uint64_t raw = png_raw_bytes(info);
+    int width = 0;
+    int height = 0;
+    *decoded = NULL;
+    if (raw / MOST_EXPANSION > size) {
+        return "too short for its size";
+    }
+    png_block_limit = 2 * (size + raw) + 65536;
+    png_block_refused = 0;
+    *out = (samples){NULL, NULL, 0};
+    if (info->bit_depth == 16) {
+        out->wide = *decoded =
+            stbi_load_16_from_memory(bytes, (int)size, &width, &height, &out->channels, 0);
+    } else {
+        out->narrow = *decoded =
+            stbi_load_from_memory(bytes, (int)size, &width, &height, &out->channels, 0);
+    }
+    if (png_block_refused) {
+        return "more bytes than its size needs";
+    }
+    return stbi_failure_reason() != NULL ? stbi_failure_reason() : "for an unknown reason";
+}
+
 static int decode_png(const unsigned char *bytes, size_t size, const char *name, image *out,
                       tool_error *error) {
     png_info info;
@@ -119,34 +166,24 @@ static int decode_png(const unsigned char *bytes, size_t size, const char *name,
         return -1;
     }
     uint32_t maxval = info.bit_depth == 16 ? 65535 : 255;
-    if (image_check_size(info.width, info.height, name, error) != 0 ||
-        image_allocate(info.width, info.height, maxval, name, out, error) != 0) {
+    if (image_check_size(info.width, info.height, name, error) != 0) {
         return -1;
     }
-    int width = 0;
-    int height = 0;
-    samples s = {NULL, NULL, 0};
-    stbi_uc *narrow = NULL;
-    stbi_us *wide = NULL;
-    if (info.bit_depth == 16) {
-        wide = stbi_load_16_from_memory(bytes, (int)size, &width, &height, &s.channels, 0);
-    } else {
-        narrow = stbi_load_from_memory(bytes, (int)size, &width, &height, &s.channels, 0);
-    }
-    s.narrow = narrow;
-    s.wide = wide;
-    if (narrow == NULL && wide == NULL) {
-        tool_error_set(error, "%s: the PNG is damaged (%s)", name, stbi_failure_reason());
-    } else {
+    samples s;
+    void *decoded;
+    const char *damage = decode_samples(bytes, size, &info, &decoded, &s);
+    int rc = -1;
+    if (decoded == NULL) {
+        tool_error_set(error, "%s: the PNG is damaged (%s)", name, damage);
+    } else if (image_allocate(info.width, info.height, maxval, name, out, error) == 0) {
         cause = take_samples(&s, out);
+        rc = cause == NULL ? 0 : -1;
         if (cause != NULL) {
             tool_error_set(error, "%s: %s", name, cause);
         }
     }
-    int done = (narrow != NULL || wide != NULL) && cause == NULL;
-    stbi_image_free(narrow);
-    stbi_image_free(wide);
-    return done ? 0 : -1;
+    stbi_image_free(decoded);
+    return rc;
 }
 
 int image_decode(const unsigned char *bytes, size_t size, const char *name, image *out,

@@ -29,6 +29,18 @@ static uint32_t crc32(const unsigned char *bytes, size_t size) {
     return ~crc;
 }
 
+/* By the colour type of IHDR: gray, -, RGB, palette, gray and alpha, -, RGB and alpha. */
+static int channels_of(unsigned color_type) {
+    static const int channels[] = {1, 0, 3, 1, 2, 0, 4};
+    return color_type < sizeof channels / sizeof channels[0] ? channels[color_type] : 0;
+}
+
+uint64_t png_raw_bytes(const png_info *info) {
+    uint64_t row_bits = (uint64_t)info->width * (uint64_t)info->channels *
+                        (uint64_t)info->bit_depth;
+    return ((row_bits + 7) / 8 + 1) * info->height; /* and a byte for each row's filter */
+}
+
 const char *png_check(const unsigned char *bytes, size_t size, png_info *info) {
     size_t at = SIGNATURE_BYTES;
     for (;;) {
@@ -48,7 +60,8 @@ const char *png_check(const unsigned char *bytes, size_t size, png_info *info) {
             return "the PNG is damaged (header out of place)";
         }
         if (is_header) {
-            *info = (png_info){big_endian(type + 4), big_endian(type + 8), type[12]};
+            *info = (png_info){big_endian(type + 4), big_endian(type + 8), type[12],
+                               channels_of(type[13])};
         }
         if (memcmp(type, "IEND", 4) == 0) {
             return NULL;

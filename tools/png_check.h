@@ -9,7 +9,12 @@
 typedef struct png_info {
     uint32_t width, height;
     int bit_depth; /* 1, 2, 4, 8, 16 */
+    int channels;  /* 1..4; 0 when the file names no known kind */
 } png_info;
+
+/* Bytes that the image takes before it was compressed, but for what interlacing adds. Both
+ * sides must be within the limits of image.h. */
+uint64_t png_raw_bytes(const png_info *info);
 
 /* Walks the chunks of a file that begins with the PNG signature.
  * Returns NULL when each is whole and its checksum right, IHDR is the first and IEND comes;

@@ -1,4 +1,5 @@
 /* Maps that must be refused, with one line that names the file and the cause. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "map.h"
@@ -155,6 +156,54 @@ static void test_pngs_that_do_not_hold_what_they_say(void) {
     expect_bad_png(&png, png.size, "damaged");
 }
 
+/* A deflate stream of zeros, 258 of them for 13 bits: one literal, then copies of the byte
+ * before. Returns its size, the checksum behind it included. */
+static size_t deflate_zeros(uint8_t *out, size_t copies) {
+    size_t bits = 0;
+    memset(out, 0, 16 + copies * 2);
+    out[0] = 0x78;
+    out[1] = 0x01;
+    uint8_t *at = out + 2;
+    /* Last block, fixed codes; literal 0 is 00110000, length 258 is 11000101, distance 1 is
+     * 00000; codes begin with their highest bit. */
+    const char *head = "11000110000";
+    for (; *head != '\0'; head++, bits++) {
+        at[bits / 8] |= (uint8_t)((*head - '0') << bits % 8);
+    }
+    for (size_t i = 0; i < copies; i++) {
+        for (const char *code = "1100010100000"; *code != '\0'; code++, bits++) {
+            at[bits / 8] |= (uint8_t)((*code - '0') << bits % 8);
+        }
+    }
+    return 2 + (bits + 7 + 7) / 8 + 4; /* the end code is seven zeros */
+}
+
+/* Small files that would fill the memory: many bytes for few cells, many cells of few bytes. */
+static void test_pngs_that_swell(void) {
+    enum { COPIES = 40000 }; /* 10 MB in 65 kB */
+    size_t room = 100 + 16 + 2 * COPIES;
+    uint8_t *bytes = malloc(room);
+    uint8_t *stream = malloc(16 + 2 * COPIES);
+    TEST_ASSERT_TRUE(bytes != NULL && stream != NULL);
+    size_t size = deflate_zeros(stream, COPIES);
+    size = tiny_png_wrap(1, 1, 8, PNG_GRAY, stream, size, bytes);
+    const char *path = scratch_write("swells.png", bytes, size);
+    expect_refusal(path, path, "damaged (more bytes than its size needs)");
+    size = deflate_zeros(stream, 40);
+    size = tiny_png_wrap(16384, 16384, 8, PNG_GRAY, stream, size, bytes);
+    path = scratch_write("hollow.png", bytes, size);
+    expect_refusal(path, path, "damaged (too short for its size)");
+    size = deflate_zeros(stream, 40);
+    size = tiny_png_wrap(100, 100, 8, PNG_GRAY, stream, size, bytes);
+    path = scratch_write("good.png", bytes, size);
+    const map_options options = {0, 0};
+    map m;
+    TEST_ASSERT_EQUAL_INT(0, map_load(path, &options, &m, NULL));
+    map_free(&m);
+    free(stream);
+    free(bytes);
+}
+
 static void test_colour_pngs(void) {
     const uint8_t rgb[] = {10, 10, 10, 10, 11, 10};
     tiny_png png = tiny_png_make(2, 1, 8, PNG_RGB, rgb, 6, 1, NULL, 0);
@@ -295,6 +344,7 @@ int main(void) {
     RUN_TEST(test_a_png_cut_off_anywhere);
     RUN_TEST(test_a_png_with_any_byte_changed);
     RUN_TEST(test_pngs_that_do_not_hold_what_they_say);
+    RUN_TEST(test_pngs_that_swell);
     RUN_TEST(test_colour_pngs);
     RUN_TEST(test_bad_yamls);
     RUN_TEST(test_yamls_that_are_too_large);

@@ -26,6 +26,36 @@ static uint32_t crc_of(const uint8_t *bytes, size_t size) {
     return ~crc;
 }
 
+static void store_number(uint8_t *out, uint32_t value) {
+    const uint8_t bytes[4] = {(uint8_t)(value >> 24), (uint8_t)(value >> 16),
+                              (uint8_t)(value >> 8), (uint8_t)value};
+    memcpy(out, bytes, 4);
+}
+
+static size_t store_chunk(uint8_t *out, const char *type, const uint8_t *data, size_t size) {
+    store_number(out, (uint32_t)size);
+    memcpy(out + 4, type, 4);
+    if (size > 0) {
+        memcpy(out + 8, data, size);
+    }
+    store_number(out + 8 + size, crc_of(out + 4, size + 4));
+    return size + 12;
+}
+
+size_t tiny_png_wrap(uint32_t width, uint32_t height, int bit_depth, int color_type,
+                     const uint8_t *stream, size_t stream_size, uint8_t *out) {
+    uint8_t header[13] = {0};
+    store_number(header, width);
+    store_number(header + 4, height);
+    header[8] = (uint8_t)bit_depth;
+    header[9] = (uint8_t)color_type;
+    memcpy(out, "\x89PNG\r\n\x1a\n", 8);
+    size_t size = 8;
+    size += store_chunk(out + size, "IHDR", header, sizeof header);
+    size += store_chunk(out + size, "IDAT", stream, stream_size);
+    return size + store_chunk(out + size, "IEND", NULL, 0);
+}
+
 static void put_chunk(tiny_png *png, const char *type, const uint8_t *data, size_t size) {
     put_number(png, (uint32_t)size);
     size_t start = png->size;

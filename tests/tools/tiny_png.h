@@ -21,4 +21,9 @@ tiny_png tiny_png_make(uint32_t width, uint32_t height, int bit_depth, int color
                        const uint8_t *rows, size_t row_bytes, size_t row_count,
                        const uint8_t *palette, size_t palette_size);
 
+/* A PNG around a compressed stream; `out` has room for 100 bytes more than that. Returns the
+ * size. */
+size_t tiny_png_wrap(uint32_t width, uint32_t height, int bit_depth, int color_type,
+                     const uint8_t *stream, size_t stream_size, uint8_t *out);
+
 #endif

@@ -180,6 +180,7 @@ static void check_large(const run *r)
 {
     uint8_t *kinds = reference_kinds(&r->config, &r->grid);
     check_labels(r, kinds);
+    check_dropped(r, kinds);
     check_doorways(r, kinds);
     free(kinds);
 }

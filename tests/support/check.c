@@ -30,9 +30,8 @@ static void check_crop(const run *r)
     TEST_ASSERT_EQUAL_UINT(end_y - min_y, r->result.crop_height);
 }
 
-void check_everything(const run *r)
+void check_records(const run *r, const uint8_t *kinds)
 {
-    uint8_t *kinds = reference_kinds(&r->config, &r->grid);
     check_crop(r);
     check_labels(r, kinds);
     check_rooms(r, kinds);
@@ -41,5 +40,12 @@ void check_everything(const run *r)
     TEST_ASSERT_TRUE(r->result.region_count <= r->config.max_regions);
     TEST_ASSERT_TRUE(r->result.region_count >= r->result.room_count);
     TEST_ASSERT_EQUAL_UINT(r->arena_size, r->result.arena_used);
+}
+
+void check_everything(const run *r)
+{
+    uint8_t *kinds = reference_kinds(&r->config, &r->grid);
+    check_records(r, kinds);
+    check_dropped(r, kinds);
     free(kinds);
 }

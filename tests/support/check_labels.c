@@ -101,7 +101,7 @@ static area measure(const walk *w, size_t start, uint32_t number)
  * rooms without walls are dropped, less than half of an area may lack a label. In a turned grid
  * an area without labels may be large: turning breaks passages one cell wide, noise is full of
  * them, and each piece is small. */
-static void check_dropped(const walk *w)
+static void check_areas(const walk *w)
 {
     const run *r = w->r;
     size_t cells = (size_t)r->grid.width * r->grid.height;
@@ -135,14 +135,31 @@ static void check_dropped(const walk *w)
     }
 }
 
-void check_labels(const run *r, const uint8_t *kinds)
+static walk make_walk(const run *r, const uint8_t *kinds)
 {
     size_t cells = (size_t)r->grid.width * r->grid.height;
     walk w = {r, kinds, calloc(cells, sizeof *w.seen), malloc(cells * sizeof *w.list)};
     TEST_ASSERT_TRUE(w.seen != NULL && w.list != NULL);
+    return w;
+}
+
+static void free_walk(walk *w)
+{
+    free(w->list);
+    free(w->seen);
+}
+
+void check_labels(const run *r, const uint8_t *kinds)
+{
+    walk w = make_walk(r, kinds);
     check_each_cell(r, kinds);
     check_connected(&w);
-    check_dropped(&w);
-    free(w.list);
-    free(w.seen);
+    free_walk(&w);
+}
+
+void check_dropped(const run *r, const uint8_t *kinds)
+{
+    walk w = make_walk(r, kinds);
+    check_areas(&w);
+    free_walk(&w);
 }

@@ -22,9 +22,10 @@ def read_tables(source):
     members = {}
     for content in text.values():
         for name, body in re.findall(r"struct (roomseg_\w+) \{(.*?)\n\};", content, re.S):
-            functions = re.findall(r"\(\*(\w+)\)\(", body)
-            if functions:
-                members[name] = functions
+            found = [re.search(r"\(\*(\w+)\)\(", declaration)
+                     for declaration in re.sub(r"/\*.*?\*/", "", body, flags=re.S).split(";")]
+            if any(found):
+                members[name] = [function and function[1] for function in found]
     tables = {}
     for file, content in text.items():
         for struct, name, values in re.findall(
@@ -32,7 +33,8 @@ def read_tables(source):
             if struct in members:
                 functions = [value.strip() for value in values.split(",")]
                 tables[name] = {member: (file.name, function)
-                                for member, function in zip(members[struct], functions)}
+                                for member, function in zip(members[struct], functions)
+                                if member}
     return tables
 
 

@@ -18,9 +18,7 @@ typedef struct rs_buffers {
     uint8_t *surface;
     rs_component_scratch components;
     rs_distance_scratch distance;
-    rs_queue_list *queue_lists;
-    rs_queue_block *queue_blocks;
-    uint32_t queue_block_count;
+    rs_ring ring;
     rs_graph graph;
     uint32_t max_edges;
     rs_column *columns;
@@ -43,9 +41,10 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->components.stack = AT(stack);
     b->distance.envelope = AT(envelope);
     b->distance.least = AT(levels);
-    b->queue_lists = AT(queue_lists);
-    b->queue_blocks = AT(queue_blocks);
-    b->queue_block_count = (uint32_t)ROOMSEG_PLAN_QUEUE_BLOCKS(frame->width, frame->height);
+    b->ring.cells = AT(ring);
+    b->ring.capacity = (uint32_t)ROOMSEG_PLAN_RING(frame->width, frame->height);
+    b->ring.first = 0;
+    b->ring.count = 0;
     b->graph.regions = AT(regions);
     b->graph.edges = AT(edges);
     b->graph.region_count = 0;
@@ -111,18 +110,14 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     uint32_t mm = grid->resolution_mm;
     rs_merge_rules rules = merge_rules(config, mm);
     uint32_t isolated = 0;
-    rs_queue queue;
     int status;
 
     status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);
     STAGE(COMPONENTS, rs_components_clear_small(frame, rs_components_limits(config, mm), b->surface,
                                                 &b->components, ticker));
     STAGE(SURFACE, rs_distance_run(frame, mm, b->surface, &b->distance, ticker));
-    if (status == ROOMSEG_OK) {
-        rs_queue_init(&queue, b->queue_lists, b->queue_blocks, b->queue_block_count);
-    }
     STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
-                                      &b->graph.region_count, &queue, ticker));
+                                      &b->graph.region_count, &b->ring, ticker));
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, b->columns, ticker));
     if (status == ROOMSEG_OK) {

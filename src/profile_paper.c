@@ -34,7 +34,7 @@ typedef struct paper_buffers {
     uint8_t *background;
     uint8_t *columns;
     rs_lifetime_scratch blur;
-    void *seed_queue;
+    rs_ring seed_ring;
     uint8_t *births;
     rs_ridge_scratch ridge;
     rs_queue_list *line_lists;
@@ -93,7 +93,10 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->columns = AT(columns);
     b->blur.shares = AT(shares);
     place_blur(frame, AT(blur_rows), &b->blur.blur);
-    b->seed_queue = AT(seed_queue);
+    b->seed_ring.cells = AT(seed_ring);
+    b->seed_ring.capacity = (uint32_t)ROOMSEG_PLAN_RING(frame->width, frame->height);
+    b->seed_ring.first = 0;
+    b->seed_ring.count = 0;
     b->births = AT(births);
     b->ridge.rows = AT(ridge_rows);
     b->ridge.roots = AT(roots);
@@ -187,15 +190,11 @@ static int find_lifetime(const roomseg_config *config, const rs_frame *frame,
 static int find_seeds(const roomseg_config *config, const rs_frame *frame,
                       const rs_labels *labels, paper_buffers *b, rs_ticker *ticker)
 {
-    rs_queue_list *lists = b->seed_queue;
-    rs_queue queue;
     int status;
 
-    rs_queue_init(&queue, lists, (void *)((uint8_t *)b->seed_queue + ROOMSEG_QUEUE_LISTS_BYTES),
-                  (uint32_t)ROOMSEG_PLAN_QUEUE_BLOCKS(frame->width, frame->height));
     rs_ticker_part(ticker, 0, 700);
     status = rs_watershed_run(frame, b->lifetime, config->max_regions, labels,
-                              &b->graph.region_count, &queue, ticker);
+                              &b->graph.region_count, &b->seed_ring, ticker);
     rs_ticker_part(ticker, 700, 1000);
     return status == ROOMSEG_OK ? rs_seeds_run(frame, b->lifetime, b->graph.region_count, labels,
                                                b->births, ticker)

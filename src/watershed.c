@@ -1,251 +1,298 @@
 #include "watershed.h"
 
-/* Lists 0..255: labelled cells whose neighbours are to be reached, by height.
- * Lists 256..511: cells that may found a region, by height. */
-#define SUMMITS 256u
+/* Until a cell has its label, it holds the way up: one of four pointers to a neighbour, all
+ * above the greatest label. The opposite of direction d is d ^ 1. */
+enum { UP = 0, DOWN, LEFT, RIGHT, DIRECTIONS };
+#define POINTER 0xFFFCu
 
-/* A set of levels. */
-typedef struct level_set {
-    uint32_t bits[8];
-} level_set;
-
-static void add_level(level_set *set, uint32_t level)
-{
-    set->bits[level >> 5] |= 1u << (level & 31u);
-}
-
-static bool take_level(level_set *set, uint32_t level)
-{
-    uint32_t bit = 1u << (level & 31u);
-    bool has = (set->bits[level >> 5] & bit) != 0u;
-
-    set->bits[level >> 5] &= ~bit;
-    return has;
-}
+RS_STATIC_ASSERT(ROOMSEG_MAX_REGIONS < POINTER, pointers_are_no_labels);
 
 typedef struct flood {
     const rs_frame *frame;
     const uint8_t *surface;
     const rs_labels *labels;
-    rs_queue *queue;
+    rs_ring *ring; /* cells of plateaus whose neighbours are to be reached */
     rs_ticker *ticker;
+    ptrdiff_t surface_step[DIRECTIONS], label_step[DIRECTIONS];
     uint32_t max_regions, region_count;
-    uint32_t cells, cells_done;
-    uint32_t level;   /* that is being flooded */
-    uint32_t reserve; /* blocks of the queue that lower levels leave to this one */
-    level_set lost;   /* levels with cells that were reached but not queued, see search() */
-    level_set missed; /* levels with summits that were not queued, see found_missed() */
+    uint32_t row;      /* in work, of `rows` in all passes */
+    uint32_t rows;
+    uint32_t steps;    /* since the last tick, see follow() */
+    bool lost;         /* cells of plateaus were not reached for want of room in the ring */
 } flood;
 
-/* A regional maximum has a cell that is higher than its left and upper neighbours and not
- * lower than the right and lower ones: its first in reading order. */
-static bool is_summit(const uint8_t *cell, uint32_t stride)
+/* What (x, y) + step is for packed cells. */
+static const uint32_t cell_step[DIRECTIONS] = {0u - (1u << 16), 1u << 16, 0u - 1u, 1u};
+
+static bool tick(flood *f, uint32_t visits)
 {
-    return *cell > *(cell - 1) && *cell > *(cell - stride) && *cell >= *(cell + 1) &&
-           *cell >= *(cell + stride);
+    return rs_tick(f->ticker, visits, f->row, f->rows);
 }
 
-/* Queues the summits in reading order, until they take half of the queue. */
-static int collect_summits(flood *f)
+static uint16_t *label_at(const flood *f, uint32_t x, uint32_t y)
 {
-    const rs_frame *frame = f->frame;
-    uint32_t limit = f->queue->block_count / 2u;
+    return f->labels->cells + (size_t)y * f->labels->stride + x;
+}
 
-    for (uint32_t y = 0; y < frame->height; y++) {
-        const uint8_t *row = f->surface + rs_frame_index(frame, 0, y);
+static uint8_t higher(uint8_t a, uint8_t b)
+{
+    return a > b ? a : b;
+}
 
-        if (rs_tick(f->ticker, frame->width, y, 4u * frame->height)) {
+/* Of two equally steep ways one is upright in every other cell, as on a chessboard, and sideways
+ * in those between: up a slope askew to the axes they go straight, in steps. */
+static uint32_t is_odd(uint32_t x, uint32_t y)
+{
+    return (x ^ y) & 1u;
+}
+
+/* Points every cell of row y that has a higher neighbour to the highest; all others become 0.
+ * Without branches, so that compilers vectorise it. */
+static void point_row(const uint8_t *restrict row, uint32_t stride, uint32_t width, uint32_t y,
+                      uint16_t *restrict labels)
+{
+    const uint8_t *above = row - stride, *left = row - 1, *right = row + 1, *below = row + stride;
+
+    for (uint32_t x = 0; x < width; x++) {
+        uint8_t upright = higher(above[x], below[x]), sideways = higher(left[x], right[x]);
+        uint8_t vertical = above[x] == upright ? UP : DOWN;
+        uint8_t horizontal = left[x] == sideways ? LEFT : RIGHT;
+        uint8_t favour = (uint8_t)is_odd(x, y) & (upright == sideways);
+        uint8_t way = (upright < sideways) | favour ? horizontal : vertical;
+
+        labels[x] = (row[x] != 0u) & (higher(upright, sideways) > row[x])
+                        ? (uint16_t)(POINTER + way)
+                        : (uint16_t)0;
+    }
+}
+
+/* Cells on the plateaus of those in the ring point towards them, the nearest first. */
+static int spread(flood *f)
+{
+    while (f->ring->count > 0u) {
+        uint32_t cell = rs_ring_pop(f->ring);
+        uint32_t x = rs_cell_x(cell), y = rs_cell_y(cell);
+        const uint8_t *height = f->surface + rs_frame_index(f->frame, x, y);
+        uint16_t *label = label_at(f, x, y);
+
+        if (tick(f, DIRECTIONS)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        for (uint32_t x = 0; x < frame->width; x++) {
-            if (row[x] != 0u && is_summit(row + x, frame->stride) &&
-                (f->queue->untouched >= limit ||
-                 !rs_queue_push(f->queue, SUMMITS + row[x], rs_cell_pack(x, y)))) {
-                add_level(&f->missed, row[x]);
+        for (uint32_t d = 0; d < DIRECTIONS; d++) {
+            if (height[f->surface_step[d]] != *height || label[f->label_step[d]] != 0u) {
+                continue;
+            }
+            if (rs_ring_push(f->ring, cell + cell_step[d])) {
+                label[f->label_step[d]] = (uint16_t)(POINTER + (d ^ 1u));
+            } else {
+                f->lost = true;
             }
         }
     }
     return ROOMSEG_OK;
 }
 
-/* Gives a label to a cell, unless that is an obstacle or taken. A cell that finds no room
- * in the queue stays without label, so that search() can tell it from those reached. Lower
- * levels are searched once for all that they lost, but the level in work once a region, so
- * that it is the last to lose. */
-static inline void reach(flood *f, uint16_t label, uint32_t x, uint32_t y)
+/* Whether a cell of a plateau may point to a neighbour of equal height: with `slopes_only` if
+ * that has a higher neighbour itself, else if it has a way up or a label. */
+static bool leads_up(const flood *f, const uint8_t *height, const uint16_t *label,
+                     bool slopes_only)
 {
-    uint32_t height = f->surface[rs_frame_index(f->frame, x, y)];
-    uint16_t *slot;
-
-    if (height == 0u) {
-        return;
+    if (*label < POINTER || !slopes_only) {
+        return *label != 0u;
     }
-    slot = &f->labels->cells[(size_t)y * f->labels->stride + x];
-    if (*slot != 0u) {
-        return;
-    }
-    if ((f->queue->left > f->reserve || height == f->level) &&
-        rs_queue_push(f->queue, height, rs_cell_pack(x, y))) {
-        *slot = label;
-    } else {
-        add_level(&f->lost, height);
-    }
+    return height[f->surface_step[*label - POINTER]] > *height;
 }
 
-/* Reaches out from a labelled cell. */
-static inline int visit(flood *f, uint16_t label, uint32_t x, uint32_t y)
+/* Points a cell of a plateau to a neighbour that leads up. False: there is none. */
+static bool point_cell(const flood *f, const uint8_t *height, uint16_t *label, bool odd,
+                       bool slopes_only)
 {
-    if (rs_tick(f->ticker, 4u, f->cells_done, f->cells)) {
-        return ROOMSEG_ERR_CANCELLED;
-    }
-    f->cells_done++;
-    reach(f, label, x, y - 1u);
-    reach(f, label, x - 1u, y);
-    reach(f, label, x + 1u, y);
-    reach(f, label, x, y + 1u);
-    return ROOMSEG_OK;
-}
+    for (uint32_t k = 0; k < DIRECTIONS; k++) {
+        uint32_t d = odd ? k ^ 2u : k;
 
-/* Empties the list of the level, to which it may itself add. */
-static int drain(flood *f)
-{
-    uint32_t cell;
-    int status = ROOMSEG_OK;
-
-    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, f->level, &cell)) {
-        uint32_t x = rs_cell_x(cell), y = rs_cell_y(cell);
-
-        status = visit(f, f->labels->cells[(size_t)y * f->labels->stride + x], x, y);
-    }
-    return status;
-}
-
-/* Label of the first neighbour that is labelled and not lower than the level; 0: none. */
-static uint16_t label_beside(const flood *f, uint32_t x, uint32_t y)
-{
-    const uint32_t dx[4] = {0, 0u - 1u, 1, 0}, dy[4] = {0u - 1u, 0, 0, 1};
-
-    for (uint32_t k = 0; k < 4u; k++) {
-        uint32_t nx = x + dx[k], ny = y + dy[k]; /* modulo 2^32 */
-        if (f->surface[rs_frame_index(f->frame, nx, ny)] >= f->level) {
-            uint16_t label = f->labels->cells[(size_t)ny * f->labels->stride + nx];
-            if (label != 0u) {
-                return label;
-            }
+        if (height[f->surface_step[d]] == *height &&
+            leads_up(f, height + f->surface_step[d], label + f->label_step[d], slopes_only)) {
+            *label = (uint16_t)(POINTER + d);
+            return true;
         }
     }
-    return 0;
+    return false;
 }
 
-/* Reads one row for the cells that the level has lost: those beside a labelled cell that is not
- * lower take its label, and the flood goes on from them. */
-static int search_row(flood *f, uint32_t y)
+/* Cells of plateaus in row y that are beside a way up, see leads_up, point to it and enter the
+ * ring. */
+static int reach_row(flood *f, uint32_t y, bool slopes_only)
 {
     const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
-    uint16_t *labels = f->labels->cells + (size_t)y * f->labels->stride;
-    int status = ROOMSEG_OK;
+    uint16_t *labels = label_at(f, 0, y);
+    uint32_t width = f->frame->width;
 
-    for (uint32_t x = 0; status == ROOMSEG_OK && x < f->frame->width; x++) {
-        if (row[x] == f->level && labels[x] == 0u) {
-            labels[x] = label_beside(f, x, y);
-            if (labels[x] != 0u) {
-                status = visit(f, labels[x], x, y);
-            }
-        }
+    if (tick(f, width)) {
+        return ROOMSEG_ERR_CANCELLED;
     }
-    return status;
+    for (uint32_t x = 0; x < width; x++) {
+        if (labels[x] != 0u || row[x] == 0u ||
+            !point_cell(f, row + x, labels + x, is_odd(x, y) != 0u, slopes_only)) {
+            continue;
+        }
+        if (f->ring->count == f->ring->capacity && spread(f) != ROOMSEG_OK) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        rs_ring_push(f->ring, rs_cell_pack(x, y));
+    }
+    return ROOMSEG_OK;
 }
 
-/* Completes the level if it lost cells, reading the surface again while that loses others of the
- * same level. */
-static int search(flood *f)
+/* Gives every cell but those of regional maxima its way up. */
+static int point_cells(flood *f)
+{
+    const rs_frame *frame = f->frame;
+    int status = ROOMSEG_OK;
+
+    /* A row's plateaus are read when the row below has its pointers. */
+    for (uint32_t y = 0; status == ROOMSEG_OK && y <= frame->height; y++, f->row++) {
+        if (tick(f, frame->width)) {
+            return ROOMSEG_ERR_CANCELLED;
+        }
+        if (y < frame->height) {
+            point_row(f->surface + rs_frame_index(frame, 0, y), frame->stride, frame->width, y,
+                      label_at(f, 0, y));
+        }
+        if (y > 0u) {
+            status = reach_row(f, y - 1u, true);
+        }
+    }
+    return status == ROOMSEG_OK ? spread(f) : status;
+}
+
+/* Reads the crop again while spread() loses cells. */
+static int find_lost(flood *f)
 {
     int status = ROOMSEG_OK;
 
-    while (status == ROOMSEG_OK && take_level(&f->lost, f->level)) {
+    while (status == ROOMSEG_OK && f->lost) {
+        f->lost = false;
         for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++) {
-            status = rs_tick(f->ticker, f->frame->width, f->cells_done, f->cells)
-                         ? ROOMSEG_ERR_CANCELLED
-                         : search_row(f, y);
+            status = reach_row(f, y, false);
         }
         if (status == ROOMSEG_OK) {
-            status = drain(f);
+            status = spread(f);
         }
     }
     return status;
 }
 
-/* Labels the plateau around a cell that no region has reached. */
-static int found_region(flood *f, uint32_t x, uint32_t y)
+/* A region for the regional maximum around a cell: its other cells point there. */
+static int found_region(flood *f, uint16_t *label)
 {
-    uint16_t *label = &f->labels->cells[(size_t)y * f->labels->stride + x];
+    size_t index = (size_t)(label - f->labels->cells);
+    uint32_t y = (uint32_t)(index / f->labels->stride);
+    uint32_t x = (uint32_t)(index % f->labels->stride);
     int status;
 
-    if (*label != 0u) {
-        return ROOMSEG_OK;
-    }
     f->region_count++;
     if (f->region_count > f->max_regions) {
         return ROOMSEG_ERR_REGIONS;
     }
     *label = (uint16_t)f->region_count;
-    status = visit(f, *label, x, y);
-    if (status == ROOMSEG_OK) {
-        status = drain(f);
-    }
-    return status == ROOMSEG_OK ? search(f) : status;
+    rs_ring_push(f->ring, rs_cell_pack(x, y));
+    status = spread(f);
+    return status == ROOMSEG_OK ? find_lost(f) : status;
 }
 
-/* The summits of the level that were not queued: what is still unlabelled, in reading order. */
-static int found_missed(flood *f)
+/* The cell at the end of the way up: one with a label, or of a regional maximum without one.
+ * NULL: cancelled. */
+static uint16_t *follow(flood *f, uint16_t *label)
 {
+    while (*label >= POINTER) {
+        label += f->label_step[*label - POINTER];
+        f->steps++;
+        if (f->steps == RS_TICK_VISITS / 4u) {
+            f->steps = 0;
+            if (tick(f, RS_TICK_VISITS / 2u)) { /* each step is made twice */
+                return NULL;
+            }
+        }
+    }
+    return label;
+}
+
+/* Labels a cell and all on its way up. */
+static int settle(flood *f, uint16_t *label)
+{
+    uint16_t *end = follow(f, label);
     int status = ROOMSEG_OK;
 
-    for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++) {
-        const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
-        const uint16_t *labels = f->labels->cells + (size_t)y * f->labels->stride;
+    if (end == NULL) {
+        return ROOMSEG_ERR_CANCELLED;
+    }
+    if (*end == 0u) {
+        status = found_region(f, end);
+    }
+    while (label != end) {
+        uint16_t *next = label + f->label_step[*label - POINTER];
 
-        if (rs_tick(f->ticker, f->frame->width, f->cells_done, f->cells)) {
-            return ROOMSEG_ERR_CANCELLED;
-        }
-        for (uint32_t x = 0; status == ROOMSEG_OK && x < f->frame->width; x++) {
-            if (row[x] == f->level && labels[x] == 0u) {
-                status = found_region(f, x, y);
+        *label = *end;
+        label = next;
+    }
+    return status;
+}
+
+static int settle_row(flood *f, uint32_t y)
+{
+    const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
+    uint16_t *labels = label_at(f, 0, y);
+    uint32_t width = f->frame->width;
+    int status = tick(f, width) ? ROOMSEG_ERR_CANCELLED : ROOMSEG_OK;
+
+    for (uint32_t x = 0; status == ROOMSEG_OK && x < width; x++) {
+        uint32_t label = labels[x];
+
+        if (label >= POINTER) {
+            uint16_t next = labels[(ptrdiff_t)x + f->label_step[label - POINTER]];
+
+            if (next != 0u && next < POINTER) {
+                labels[x] = next; /* the commonest case: no way to follow */
+            } else {
+                status = settle(f, labels + x);
             }
+        } else if (label == 0u && row[x] != 0u) {
+            status = found_region(f, labels + x);
         }
     }
     return status;
 }
 
-static int flood_level(flood *f)
+static int settle_cells(flood *f)
 {
-    uint32_t cell;
-    int status = drain(f);
+    int status = ROOMSEG_OK;
 
-    if (status == ROOMSEG_OK) {
-        status = search(f);
-    }
-    while (status == ROOMSEG_OK && rs_queue_pop(f->queue, SUMMITS + f->level, &cell)) {
-        status = found_region(f, rs_cell_x(cell), rs_cell_y(cell));
-    }
-    if (status == ROOMSEG_OK && take_level(&f->missed, f->level)) {
-        status = found_missed(f);
+    for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++, f->row++) {
+        status = settle_row(f, y);
     }
     return status;
 }
 
 int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max_regions,
-                     const rs_labels *labels, uint32_t *region_count, rs_queue *queue,
+                     const rs_labels *labels, uint32_t *region_count, rs_ring *ring,
                      rs_ticker *ticker)
 {
-    flood f = {frame, surface, labels, queue, ticker, max_regions, 0, 0, 0, 0, 0, {{0}}, {{0}}};
+    flood f = {frame, surface, labels, ring, ticker, {0}, {0}, max_regions, 0, 0, 0, 0, false};
     int status;
 
-    f.cells = frame->width * frame->height;
-    f.reserve = queue->block_count / 16u;
-    status = collect_summits(&f);
-    for (f.level = 255; status == ROOMSEG_OK && f.level > 0u; f.level--) {
-        status = flood_level(&f);
+    f.rows = 2u * frame->height + 1u;
+    f.surface_step[UP] = -(ptrdiff_t)frame->stride;
+    f.label_step[UP] = -(ptrdiff_t)labels->stride;
+    f.surface_step[LEFT] = f.label_step[LEFT] = -1;
+    f.surface_step[RIGHT] = f.label_step[RIGHT] = 1;
+    f.surface_step[DOWN] = (ptrdiff_t)frame->stride;
+    f.label_step[DOWN] = (ptrdiff_t)labels->stride;
+    status = point_cells(&f);
+    if (status == ROOMSEG_OK) {
+        status = find_lost(&f);
+    }
+    if (status == ROOMSEG_OK) {
+        status = settle_cells(&f);
     }
     *region_count = f.region_count;
     return status;

@@ -8,7 +8,7 @@
  *   surface     ##########################################               (1 byte a cell)
  *   components            ########
  *   envelope                         #####
- *   queue                                  #######                     (1/4 byte a cell)
+ *   ring                                   #######                      (1/8 byte a cell)
  *   graph                                          ############################
  *   rooms                                                      ################
  *   doorways                                                            #######
@@ -44,8 +44,11 @@
 /* Runs that one bordered row can hold. */
 #define ROOMSEG_PLAN_RUNS(w) (((size_t)(w) + 3u) / 2u)
 
-/* Blocks of the flood queue: room for an eighteenth of the cells at once; floods of homes and
- * offices need a fiftieth to a sixteenth. Beyond that the surface is read again. */
+/* Cells of plateaus that the watershed has reached and not yet left. Beyond that it goes on from
+ * them before it reads on, and at worst reads the surface again. */
+#define ROOMSEG_PLAN_RING(w, h) (ROOMSEG_PLAN_CELLS(w, h) / 32u + 256u)
+
+/* Blocks of the bucket queue of the paper's watershed and of alignment. */
 #define ROOMSEG_PLAN_QUEUE_BLOCKS(w, h) \
     (ROOMSEG_PLAN_CELLS(w, h) / (18u * ROOMSEG_QUEUE_BLOCK_CELLS) + 128u)
 
@@ -66,8 +69,7 @@
     X(S, stack, 4u, (size_t)(small), 1, 1)                                                        \
     X(S, envelope, 8u, (size_t)(w) + 2u, 2, 2)                                                    \
     X(S, levels, 4u, 256u, 2, 2)                                                                  \
-    X(S, queue_lists, 1u, ROOMSEG_QUEUE_LISTS_BYTES, 3, 3)                                        \
-    X(S, queue_blocks, ROOMSEG_QUEUE_BLOCK_BYTES, ROOMSEG_PLAN_QUEUE_BLOCKS(w, h), 3, 3)          \
+    X(S, ring, 4u, ROOMSEG_PLAN_RING(w, h), 3, 3)                                                 \
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 4, 7)                         \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 4, 7)                        \
     X(S, columns, ROOMSEG_COLUMN_BYTES, (size_t)(w), 4, 4)                                        \

@@ -50,7 +50,7 @@
     X(S, columns, 1u, (size_t)(w) + 2u, 2, 2)                                                     \
     X(S, shares, 2u, ROOMSEG_PLAN_BLURRED(w) * ROOMSEG_PLAN_BLURRED(h), 3, 3)                     \
     X(S, blur_rows, 1u, ROOMSEG_PLAN_BLUR_BYTES(w), 3, 3)                                         \
-    X(S, seed_queue, 1u, ROOMSEG_PLAN_QUEUE_BYTES(w, h), 4, 4)                                    \
+    X(S, seed_ring, 4u, ROOMSEG_PLAN_RING(w, h), 4, 4)                                            \
     X(S, births, 1u, (size_t)(max_regions) + 1u, 4, 4)                                            \
     X(S, ridge_rows, 4u, ROOMSEG_RIDGE_ROWS * ((size_t)(w) + 2u), 5, 5)                           \
     X(S, roots, 2u, (size_t)(w) * (h), 5, 5)                                                      \

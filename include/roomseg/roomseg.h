@@ -51,7 +51,7 @@ extern "C" {
 #define ROOMSEG_MAX_SHARED_WALL_MM 10000000u
 #define ROOMSEG_MAX_DILATION_MM 1000u
 #define ROOMSEG_MAX_BORDER_MM 1000000u
-#define ROOMSEG_MAX_REGIONS 65532u
+#define ROOMSEG_MAX_REGIONS 65531u
 #define ROOMSEG_MAX_ROOMS 16384u
 
 /* The arena's address must be a multiple of this. */

@@ -72,16 +72,14 @@ cv::Mat regions_of(const test_map &map, const cv::Mat &surface, uint32_t *count)
 {
     cv::Mat labels = cv::Mat::zeros(surface.size(), CV_16U);
     std::vector<uint8_t> heights(bordered(map.frame, surface));
-    std::vector<rs_queue_list> lists(RS_QUEUE_LISTS);
-    std::vector<rs_queue_block> blocks((size_t)surface.total() / 4 + 1024);
+    std::vector<uint32_t> cells((size_t)surface.total() / 8 + 16);
+    rs_ring ring = {cells.data(), (uint32_t)cells.size(), 0, 0};
     rs_labels out = labels_of(labels);
     rs_ticker ticker = quiet();
-    rs_queue queue;
     for (int y = 0; y < surface.rows; y++) {
         std::memcpy(&heights[rs_frame_index(&map.frame, 0, (uint32_t)y)], surface.ptr(y),
                     (size_t)surface.cols);
     }
-    rs_queue_init(&queue, lists.data(), blocks.data(), (uint32_t)blocks.size());
-    rs_watershed_run(&map.frame, heights.data(), 65534, &out, count, &queue, &ticker);
+    rs_watershed_run(&map.frame, heights.data(), ROOMSEG_MAX_REGIONS, &out, count, &ring, &ticker);
     return labels;
 }

@@ -58,16 +58,12 @@ static void draw(const char *const *rows, uint32_t height)
 static void find_seeds(void)
 {
     rs_ticker ticker = {0};
-    rs_queue queue;
-    rs_queue_list *lists = stage_scratch(RS_QUEUE_LISTS, sizeof *lists);
-    rs_queue_block *blocks = stage_scratch(4096, sizeof *blocks);
-    rs_queue_init(&queue, lists, blocks, 4096);
+    rs_ring ring = {stage_scratch(4096, sizeof *ring.cells), 4096, 0, 0};
     TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_watershed_run(&frame, lifetime, MAX_SEEDS, &labels,
-                                                       &seed_count, &queue, &ticker));
+                                                       &seed_count, &ring, &ticker));
     TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_seeds_run(&frame, lifetime, seed_count, &labels, births,
                                                    &ticker));
-    free(lists);
-    free(blocks);
+    free(ring.cells);
 }
 
 static uint16_t *label_at(uint32_t x, uint32_t y)

@@ -46,7 +46,7 @@ static uint32_t is_odd(uint32_t x, uint32_t y)
     return (x ^ y) & 1u;
 }
 
-/* Points every cell of row y that has a higher neighbour to the highest; all others become 0.
+/* Points every cell of row y that has a higher neighbour to the highest; others become 0.
  * Without branches, so that compilers vectorise it. */
 static void point_row(const uint8_t *restrict row, uint32_t stride, uint32_t width, uint32_t y,
                       uint16_t *restrict labels)
@@ -60,9 +60,10 @@ static void point_row(const uint8_t *restrict row, uint32_t stride, uint32_t wid
         uint8_t favour = (uint8_t)is_odd(x, y) & (upright == sideways);
         uint8_t way = (upright < sideways) | favour ? horizontal : vertical;
 
-        labels[x] = (row[x] != 0u) & (higher(upright, sideways) > row[x])
-                        ? (uint16_t)(POINTER + way)
-                        : (uint16_t)0;
+        uint8_t highest = higher(upright, sideways);
+        uint16_t label = highest > row[x] ? (uint16_t)(POINTER + way) : (uint16_t)0;
+
+        labels[x] = row[x] != 0u ? label : labels[x];
     }
 }
 
@@ -248,6 +249,9 @@ static int settle_row(flood *f, uint32_t y)
     for (uint32_t x = 0; status == ROOMSEG_OK && x < width; x++) {
         uint32_t label = labels[x];
 
+        if (row[x] == 0u) {
+            continue;
+        }
         if (label >= POINTER) {
             uint16_t next = labels[(ptrdiff_t)x + f->label_step[label - POINTER]];
 
@@ -256,7 +260,7 @@ static int settle_row(flood *f, uint32_t y)
             } else {
                 status = settle(f, labels + x);
             }
-        } else if (label == 0u && row[x] != 0u) {
+        } else if (label == 0u) {
             status = found_region(f, labels + x);
         }
     }

@@ -23,6 +23,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#if SIZE_MAX < 0xFFFFFFFFu
+#error "roomseg is for CPUs of 32 bits and more"
+#endif
+
 #include "roomseg/plan.h" /* ROOMSEG_ARENA_SIZE(), the compile-time size */
 #include "roomseg/plan_paper.h"
 

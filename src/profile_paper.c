@@ -10,17 +10,12 @@
 #include "morphology.h"
 #include "plan_paper.h"
 #include "profile.h"
+#include "profile_paper.h"
 #include "ridge.h"
 #include "rooms.h"
 #include "seeds.h"
 #include "threshold.h"
 #include "watershed_lines.h"
-
-/* What is published in cells of 40 mm. */
-#define SIGMA_START_MM 40u
-#define SIGMA_STEP_MM 20u
-#define BACKGROUND_EROSION_MM 80u
-#define RIDGE_SIGMA_MM 80u
 
 /* The blur goes on with half the resolution when sigma is three cells of it. By then the
  * lifetimes of one cell in ten thousand are off by more than one scale (tested). */
@@ -140,7 +135,7 @@ static uint32_t cells_across(uint32_t length_mm, uint32_t resolution_mm)
 }
 
 /* The obstacles grown by config->dilation_mm in b->lifetime; those shrunk again by
- * BACKGROUND_EROSION_MM are the background's seed. */
+ * RS_BACKGROUND_EROSION_MM are the background's seed. */
 static int grow_obstacles(const roomseg_config *config, const rs_frame *frame,
                           uint32_t resolution_mm, const rs_labels *labels, paper_buffers *b,
                           rs_ticker *ticker)
@@ -148,7 +143,7 @@ static int grow_obstacles(const roomseg_config *config, const rs_frame *frame,
     size_t bytes = (size_t)frame->stride * (frame->height + 2u);
     uint32_t grown = cells_across(config->dilation_mm, resolution_mm);
     /* Never by more, so that all obstacles belong to the background. */
-    uint32_t shrunk = rs_min_u32(cells_across(BACKGROUND_EROSION_MM, resolution_mm), grown);
+    uint32_t shrunk = rs_min_u32(cells_across(RS_BACKGROUND_EROSION_MM, resolution_mm), grown);
     int status;
 
     memcpy(b->lifetime, b->surface, bytes);
@@ -171,8 +166,8 @@ static int find_lifetime(const roomseg_config *config, const rs_frame *frame,
                          uint32_t resolution_mm, const rs_labels *labels, paper_buffers *b,
                          rs_ticker *ticker)
 {
-    const rs_lifetime_rules rules = {resolution_mm,  SIGMA_START_MM,
-                                     SIGMA_STEP_MM,  config->seed_obstacle_permille,
+    const rs_lifetime_rules rules = {resolution_mm,  RS_SIGMA_START_MM,
+                                     RS_SIGMA_STEP_MM,  config->seed_obstacle_permille,
                                      HALVE_SIGMA_Q4, ROOMSEG_BLUR_MARGIN};
     int status = grow_obstacles(config, frame, resolution_mm, labels, b, ticker);
 
@@ -297,7 +292,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(COMPONENTS, clear_small(config, frame, mm, b, ticker));
     STAGE(SURFACE, find_lifetime(config, frame, mm, labels, b, ticker));
     STAGE(SEEDS, find_seeds(config, frame, labels, b, ticker));
-    STAGE(RIDGE, rs_ridge_run(frame, RIDGE_SIGMA_MM, mm, b->surface, &b->ridge, ticker));
+    STAGE(RIDGE, rs_ridge_run(frame, RS_RIDGE_SIGMA_MM, mm, b->surface, &b->ridge, ticker));
     STAGE(WATERSHED, flood_ridges(frame, labels, b, ticker));
     STAGE(GRAPH, build_graph(config, grid, frame, labels, b, ticker));
     STAGE(MERGE, merge(config, mm, b, ticker));

@@ -12,6 +12,7 @@ enum {
 int cmd_segment(int argc, char **argv);
 int cmd_eval(int argc, char **argv);
 int cmd_bench(int argc, char **argv);
+int cmd_explain(int argc, char **argv);
 int cmd_simulate(int argc, char **argv);
 int cmd_vary(int argc, char **argv);
 

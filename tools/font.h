@@ -11,7 +11,7 @@
 typedef void (*font_line_fn)(void *user, double x0, double y0, double x1, double y1);
 
 /* Width of a character in font units; 0 when there is no shape for it. There are digits,
- * space, '.', 'm' and '^', which stands for a raised 2 as in m2. */
+ * small letters, space, '.', '-', '_' and '^', which stands for a raised 2 as in m2. */
 int font_width(char c);
 
 /* Draws a character by its pieces; nothing when there is no shape for it. */

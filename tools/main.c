@@ -18,6 +18,7 @@ static const command commands[] = {
     {"segment", cmd_segment, "cut a map into rooms"},
     {"eval", cmd_eval, "compare labels with the truth"},
     {"bench", cmd_bench, "run a data set, print quality, time and memory"},
+    {"explain", cmd_explain, "draw every step from a map to its rooms, as one page"},
     {"simulate", cmd_simulate, "make a map of a furnished flat, with the true rooms"},
     {"vary", cmd_vary, "turn, resample, clutter or spoil the maps of a data set"},
 };

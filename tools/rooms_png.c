@@ -96,8 +96,8 @@ typedef struct border_sums {
     double count, x, y, xx, xy, yy;
 } border_sums;
 
-/* Adds the place between cell (x, y) and the next one to the right or below, dx or dy being
- * 1, if one is in each of the doorway's rooms. */
+/* Adds the place between cell (x, y) and one to the right or below, `dx` or `dy` cells away, if
+ * one is in each of the doorway's rooms. */
 static void add_border(border_sums *sums, const view *v, const roomseg_doorway *d, int x, int y,
                        int dx, int dy) {
     uint16_t here = view_label(v, x, y);
@@ -118,10 +118,12 @@ static void add_border(border_sums *sums, const view *v, const roomseg_doorway *
 static double door_direction(const view *v, const roomseg_doorway *d, double width_cells) {
     border_sums sums = {0, 0, 0, 0, 0, 0};
     int reach = (int)ceil(width_cells / 2) + 1;
+    /* The paper profile leaves a line of one cell between rooms. */
+    int apart = v->s->config.profile == ROOMSEG_PROFILE_PAPER ? 2 : 1;
     for (int y = d->y - reach; y <= d->y + reach; y++) {
         for (int x = d->x - reach; x <= d->x + reach; x++) {
-            add_border(&sums, v, d, x, y, 1, 0);
-            add_border(&sums, v, d, x, y, 0, 1);
+            add_border(&sums, v, d, x, y, apart, 0);
+            add_border(&sums, v, d, x, y, 0, apart);
         }
     }
     double n = sums.count > 0 ? sums.count : 1;
@@ -166,27 +168,37 @@ static void draw_scale_bar(canvas *c, const view *v) {
     }
 }
 
+int rooms_draw(const view *v, canvas *out) {
+    const roomseg_result *r = &v->s->result;
+    uint8_t *color_index = malloc((size_t)r->room_count + 1);
+    uint32_t height = (uint32_t)(v->height_px + FOOTER_HEIGHT * room_text_height(v));
+    int rc = -1;
+    *out = (canvas){NULL, 0, 0};
+    if (color_index != NULL && room_colors_choose(r, color_index) == 0 &&
+        canvas_create(out, (uint32_t)v->width_px, height, unknown_color) == 0) {
+        draw_cells(out, v, color_index);
+        for (uint32_t i = 0; i < r->doorway_count; i++) {
+            draw_door(out, v, &r->doorways[i]);
+        }
+        draw_room_labels(out, v);
+        draw_scale_bar(out, v);
+        rc = 0;
+    }
+    free(color_index);
+    return rc;
+}
+
 int rooms_png_write(const map *m, const segmentation *s, FILE *stream,
                     const char *name, tool_error *error) {
     view v = view_of_rooms(m, s);
-    canvas c = {NULL, 0, 0};
-    uint8_t *color_index = malloc((size_t)s->result.room_count + 1);
-    uint32_t height = (uint32_t)(v.height_px + FOOTER_HEIGHT * room_text_height(&v));
-    int rc = -1;
-    if (color_index != NULL && room_colors_choose(&s->result, color_index) == 0 &&
-        canvas_create(&c, (uint32_t)v.width_px, height, unknown_color) == 0) {
-        draw_cells(&c, &v, color_index);
-        for (uint32_t i = 0; i < s->result.doorway_count; i++) {
-            draw_door(&c, &v, &s->result.doorways[i]);
-        }
-        draw_room_labels(&c, &v);
-        draw_scale_bar(&c, &v);
+    canvas c;
+    int rc = rooms_draw(&v, &c);
+    if (rc == 0) {
         rc = image_write_png(stream, c.rgb, c.width, c.height, 3);
     }
     if (rc != 0) {
         tool_error_set(error, "%s: out of memory", name);
     }
     canvas_free(&c);
-    free(color_index);
     return rc;
 }

@@ -4,13 +4,19 @@
 
 #include <stdio.h>
 
+#include "draw.h"
 #include "map.h"
 #include "segment.h"
 #include "tool_error.h"
+#include "view.h"
 
-/* Draws the part of the map that holds the rooms: rooms in pastel, certain obstacles dark,
- * other obstacles and unknown cells gray, free cells without a room white; doorways as strokes from wall to wall; number
- * and area at each room's interior point; a scale bar.
+/* Draws a part of the map: rooms in pastel, certain obstacles dark, other obstacles and unknown
+ * cells gray, free cells without a room white; doorways as strokes from wall to wall; number and
+ * area at each room's interior point; a scale bar below.
+ * Returns 0, or -1 with *out zeroed when memory runs out. */
+int rooms_draw(const view *v, canvas *out);
+
+/* The same for the part that holds the rooms, as PNG.
  * A cell takes a whole number of pixels so that the long side has 800 to 1600; maps above
  * 4000 cells are shrunk by a whole number.
  * Returns 0, or -1 with *error set when memory runs out; what the stream could not take

@@ -218,5 +218,51 @@ if [ -c /dev/full ]; then
     verdict "full standard output: says why" grep -q 'standard output: cannot write' stderr
 fi
 
+# ---- explain
+
+run explain --help
+verdict "explain --help: exit 0" [ "$code" -eq 0 ]
+verdict "explain --help: explains" grep -q -e --sheet stdout
+misused "explain: no map" "explain: which map?" explain -o out
+misused "explain: no folder" "-o FOLDER is missing" explain plan.pgm
+misused "explain: map and sheet" "a map does not go with --sheet" \
+    explain plan.pgm --sheet . -o out
+misused "explain: truth and sheet" "--truth does not go with --sheet" \
+    explain --sheet . --truth plan.pgm -o out
+misused "explain: set without sheet" "--set goes with --sheet only" \
+    explain plan.pgm --set a -o out
+misused "explain: unknown profile" "unknown profile 'x'" explain plan.pgm -o out --profile x
+refused "explain: missing map" "missing.png: No such file" explain missing.png -o bad
+refused "explain: truncated map" "cut.pgm: " explain cut.pgm -o bad
+refused "explain: nothing free" "solid.pgm: no cell is free" explain solid.pgm -o bad
+refused "explain: missing truth" "missing.png: No such file" \
+    explain plan.pgm --truth missing.png -o bad
+refused "explain: truth of another size" "plan.pgm: 150x80 cells, but the truth has 2x1" \
+    explain plan.pgm --truth solid.pgm -o bad
+refused "explain: bad config" "plan.pgm: cannot be segmented" \
+    explain plan.pgm --config room_opening_percent=0 -o bad
+refused "explain: sheet of no folder" "missing: cannot read the folder" \
+    explain --sheet missing -o bad
+refused "explain: no such set" "has no set 'nowhere'" explain --sheet . --set nowhere -o bad
+verdict "explain: bad maps write nothing" [ ! -e bad ]
+refused "explain: a file as folder" "plan.pgm: cannot make the folder: Not a directory" \
+    explain plan.pgm -o plan.pgm
+run explain plan.pgm -o explained
+verdict "explain: exit 0" [ "$code" -eq 0 ]
+verdict "explain: silent on stderr" [ ! -s stderr ]
+verdict "explain: ten pictures and the page" [ "$(ls -A explained | wc -l)" -eq 11 ]
+cp -R explained explained_before
+run explain plan.pgm -o explained
+verdict "explain again: the same bytes" diff -r explained_before explained
+(
+    trap '' XFSZ
+    ulimit -f 8
+    "$roomseg" explain dim.pgm --config free_max=60 -o explained 2>&1 >/dev/null | cat >&3
+) 3>full_message
+cp full_message stderr
+verdict "explain, full disk: one line" one_line
+verdict "explain, full disk: says why" grep -q 'explained/.*: cannot write: ' stderr
+verdict "explain, full disk: old files stay" diff -r explained_before explained
+
 echo "$failures failed"
 [ "$failures" -eq 0 ]

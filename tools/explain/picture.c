@@ -33,15 +33,16 @@ color picture_map_color(const rs_frame *frame, const view *v, uint32_t x, uint32
 }
 
 /* The mixture of the cells that share the pixel of view cell (x, y). */
-static color pixel_color(const rs_frame *frame, const view *v, cell_paint paint,
-                         const void *user, int x, int y) {
+static color pixel_color(const rs_frame *frame, const view *v, cell_paint paint, const void *user,
+                         int x, int y) {
     unsigned sum[3] = {0, 0, 0};
     unsigned count = (unsigned)(v->shrink * v->shrink);
     for (int i = 0; i < v->shrink * v->shrink; i++) {
         uint32_t cell_x = (uint32_t)(v->x + x + i % v->shrink) - frame->x;
         uint32_t cell_y = (uint32_t)(v->y + y + i / v->shrink) - frame->y;
         int inside = cell_x < frame->width && cell_y < frame->height;
-        color c = inside ? paint(user, cell_x, cell_y) : picture_map_color(frame, v, cell_x, cell_y);
+        color c = inside ? paint(user, cell_x, cell_y)
+                         : picture_map_color(frame, v, cell_x, cell_y);
         sum[0] += c.r;
         sum[1] += c.g;
         sum[2] += c.b;

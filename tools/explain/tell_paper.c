@@ -114,9 +114,9 @@ static void tell_merging(const explanation *e, FILE *page, int *section) {
     edge_counts n = count_edges_of(e);
     const roomseg_config *c = &e->config;
     page_section(page, section, "The connectivity graph, and what joins it");
-    fprintf(page, "<p>Regions are the nodes, and %" PRIu32 " shared border%s the edges. Three rules "
-                  "make rooms of them. A region without neighbour goes when it is smaller than "
-                  "A<sub>0</sub>, or than its share of the whole. One smaller than A<sub>0</sub> "
+    fprintf(page, "<p>Regions are the nodes, and %" PRIu32 " shared border%s the edges. Three "
+                  "rules make rooms of them. A region without neighbour goes when it is smaller "
+                  "than A<sub>0</sub>, or than its share of the whole. One smaller than A<sub>0</sub> "
                   "joins the neighbour with which it shares the longest border; those with the "
                   "fewest neighbours come first. Then regions join whose border is longer than "
                   "L<sub>0</sub>, which no door is: %" PRIu32 " at the start, the longest "

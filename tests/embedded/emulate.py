@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 
-from targets import TARGETS
+from targets import HOSTED, TARGETS
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -109,10 +109,13 @@ class Build:
 
     def run(self, program="program", more=(), timeout=600):
         file = self.make(program)
+        log = self.folder / f"{program}.txt"
+        if not self.target.bare:
+            return command([*self.target.emulator, file], log, timeout)
         return command([*self.target.emulator, "-display", "none", "-monitor", "none",
                         "-serial", "none", "-chardev", "stdio,id=out", "-semihosting-config",
                         "enable=on,target=native,chardev=out", *more, "-kernel", file],
-                       self.folder / f"{program}.txt", timeout)
+                       log, timeout)
 
 
 def split_runs(text):
@@ -139,7 +142,8 @@ def label_crc(text):
 
 
 def select(names):
-    unknown = [name for name in names if name not in TARGETS]
+    known = {**TARGETS, **HOSTED}
+    unknown = [name for name in names if name not in known]
     if unknown:
-        raise Failure(f"no target {unknown[0]}; there are {', '.join(TARGETS)}")
-    return [TARGETS[name] for name in names]
+        raise Failure(f"no target {unknown[0]}; there are {', '.join(known)}")
+    return [known[name] for name in names]

@@ -6,6 +6,8 @@
                                        newlib or picolibc, the home in 512 KB, and the tests
                                        under qemu-user
     tests/embedded/run.py TARGET...    these targets at -O0, -O2, -Os with GCC and Clang
+    tests/embedded/run.py --update     writes the checksums in README.md and docs/embedded.md
+                                       anew; all other runs compare them
 
 tools/setup.sh embedded installs what it needs. Exit: 0 all equal, 1 not, 2 wrong usage."""
 
@@ -15,6 +17,7 @@ import pathlib
 import sys
 
 import emulate
+import tables
 from emulate import Build, Failure, Host, WORK, command
 from targets import HOME_TARGET, HOSTED, TARGETS
 
@@ -78,8 +81,28 @@ def hosted(name, dataset, jobs, everything):
         print(f"FAILED     {name}: {failure}", flush=True)
         return False
     summary = [line for line in text.splitlines() if "tests passed" in line]
-    print(f"passed     {name} ({HOSTED[name]}): {summary[0] if summary else '?'}", flush=True)
+    print(f"passed     {name} ({HOSTED[name].note}): {summary[0] if summary else '?'}", flush=True)
     return True
+
+
+def run_target(host, target):
+    """Everything that there is of one target."""
+    good = True
+    for level in LEVELS:
+        for clang in (False, True) if target.bare else (False,):
+            good &= emulated(host, target, level, clang, "none")
+    if target.bare and target.name not in emulate.SMALL_FLASH:
+        good &= emulated(host, target, "-Os", False, target.libc)
+    return good
+
+
+def run_core(host):
+    good = True
+    for name, level, clang, libc in CORE:
+        good &= emulated(host, TARGETS[name], level, clang, libc)
+    for name in CORE_HOSTED:
+        good &= emulated(host, HOSTED[name], "-O2", False, "none")
+    return good
 
 
 def main():
@@ -87,6 +110,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("targets", nargs="*", metavar="TARGET")
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--update", action="store_true")
     parser.add_argument("--dataset", type=pathlib.Path, default=emulate.default_dataset(),
                         help="folder with the optional real maps")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -95,17 +119,14 @@ def main():
         chosen = emulate.select(options.targets)
         host = Host(options.dataset, options.jobs)
         print(f"{len(host.runs)} runs here: {host.maps}", flush=True)
-        good = True
+        good = tables.check(host.runs, (*TARGETS.values(), *HOSTED.values()), options.update)
+        if options.update:
+            return 0 if good else 1
         if chosen or options.all:
-            for target in chosen or TARGETS.values():
-                for level in LEVELS:
-                    for clang in (False, True):
-                        good &= emulated(host, target, level, clang, "none")
-                if target.name not in emulate.SMALL_FLASH:
-                    good &= emulated(host, target, "-Os", False, target.libc)
+            for target in chosen or (*TARGETS.values(), *HOSTED.values()):
+                good &= run_target(host, target)
         else:
-            for name, level, clang, libc in CORE:
-                good &= emulated(host, TARGETS[name], level, clang, libc)
+            good &= run_core(host)
         if not chosen:
             good &= home(host)
             for name in HOSTED if options.all else CORE_HOSTED:

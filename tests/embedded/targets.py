@@ -15,6 +15,7 @@ class Target:
     prefix: str  # of the GNU tools
     libc: str  # the C library that Debian has for it
     note: str = ""
+    bare: bool = True  # without operating system
 
     @property
     def symbols(self):
@@ -74,6 +75,15 @@ TARGETS = {target.name: target for target in (
 HOME_TARGET = cortex_m("m4-512k", "cortex-m4", "mps2-an386",
                        memory(0x21000000, 512 * K, 0x0) | {"stack_length": 1 * K})
 
-# Linux on other CPUs, whose programs qemu-user runs: toolchain file and note.
-HOSTED = {"linux-armhf": "32 bits, Arm", "linux-aarch64": "64 bits, Arm",
-          "linux-s390x": "64 bits, big-endian"}
+
+
+def linux(cpu, emulator, prefix, note):
+    return Target(f"linux-{cpu}", f"linux-{cpu}", (emulator,), {}, prefix, "none", note, False)
+
+
+# Linux on other CPUs, whose programs qemu-user runs.
+HOSTED = {target.name: target for target in (
+    linux("armhf", "qemu-arm", "arm-linux-gnueabihf-", "32 bits, Arm"),
+    linux("aarch64", "qemu-aarch64", "aarch64-linux-gnu-", "64 bits, Arm"),
+    linux("s390x", "qemu-s390x", "s390x-linux-gnu-", "64 bits, big-endian"),
+)}

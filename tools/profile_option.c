@@ -13,6 +13,8 @@ static int set_profile(const char *name, roomseg_config *config, tool_error *err
         *config = roomseg_config_default();
     } else if (strcmp(name, "paper") == 0) {
         *config = roomseg_config_paper();
+    } else if (strcmp(name, "paper-home") == 0) {
+        *config = roomseg_config_paper_home();
     } else {
         tool_error_set(error, "unknown profile '%s'; there are %s", name, PROFILE_NAMES);
         return -1;

@@ -6,7 +6,7 @@
 #include "tool_error.h"
 
 /* Names of the profiles as they are shown to users. */
-#define PROFILE_NAMES "default or paper"
+#define PROFILE_NAMES "default, paper or paper-home"
 
 /* Takes `--profile NAME` or `--profile=NAME` before a lone `--` out of the arguments and sets
  * all of *config to the ready set of that profile; to the default one without the option.

@@ -89,4 +89,12 @@
     ROOMSEG_ARENA_SIZE_PAPER(w, h, ROOMSEG_PLAN_SMALL(96000u, 0u, resolution_mm), 1024u,  \
                              255u)
 
+/* The same for those of roomseg_config_paper_home(). */
+#define ROOMSEG_ARENA_SIZE_PAPER_HOME(w, h, resolution_mm)                                       \
+    ROOMSEG_ARENA_SIZE_ALIGNED(                                                                  \
+        w, h, ROOMSEG_PLAN_SMALL(4000000u, 0u, resolution_mm), 255u,                             \
+        ROOMSEG_ARENA_SIZE_PAPER(ROOMSEG_PLAN_TURNED_WIDTH(w, h),                                \
+                                 ROOMSEG_PLAN_TURNED_HEIGHT(w, h),                               \
+                                 ROOMSEG_PLAN_SMALL(4000000u, 0u, resolution_mm), 1024u, 255u))
+
 #endif

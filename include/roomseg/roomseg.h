@@ -156,7 +156,7 @@ typedef struct roomseg_config {
     /* Obstacles smaller than this are noise and do not shape the rooms. Area of an
      * 8-connected component [mm2], 0 (keep all)..ROOMSEG_MAX_SPECK_MM2; default 96,000 =
      * 60 cells of 4 cm. Their cells below occupied_min carry the label of the room around.
-     * Paper: 4-connected; homes, as published: 4,000,000. */
+     * Paper: 4-connected; 4,000,000 for homes. */
     uint32_t speck_mm2;
 
     /* The same for compact free-standing obstacles, such as a table, a bin, a pillar: the
@@ -280,6 +280,10 @@ roomseg_config roomseg_config_default(void);
 
 /* The paper profile's: those published for the benchmark, without alignment. */
 roomseg_config roomseg_config_paper(void);
+
+/* The same as published for homes: with alignment, and obstacles below 4 m2 shape nothing, so
+ * that furniture does not part a room (and a free-standing piece of wall does not either). */
+roomseg_config roomseg_config_paper_home(void);
 
 /* Arena bytes for any grid whose free cells fit in a box of width x height cells;
  * equals ROOMSEG_ARENA_SIZE() or ROOMSEG_ARENA_SIZE_PAPER() of the same numbers.

@@ -46,6 +46,42 @@ static void test_the_config_is_the_documented_one(void)
     TEST_ASSERT_EQUAL_UINT(other.max_rooms, config.max_rooms);
 }
 
+static void test_the_config_for_homes(void)
+{
+    roomseg_config home = roomseg_config_paper_home();
+    TEST_ASSERT_EQUAL_PTR(ROOMSEG_PROFILE_PAPER, home.profile);
+    TEST_ASSERT_EQUAL_PTR(ROOMSEG_ALIGN_ON, home.align);
+    TEST_ASSERT_EQUAL_UINT(4000000, home.speck_mm2);
+    home.speck_mm2 = config.speck_mm2;
+    for (size_t i = 0; i < config_field_count; i++) {
+        const config_field *field = &config_fields[i];
+        TEST_ASSERT_EQUAL_MEMORY_MESSAGE((const char *)&config + field->offset,
+                                         (const char *)&home + field->offset, field->size,
+                                         field->name);
+    }
+    for (uint32_t mm = ROOMSEG_MIN_RESOLUTION_MM; mm <= ROOMSEG_MAX_RESOLUTION_MM; mm += 9) {
+        size_t query;
+        config = roomseg_config_paper_home();
+        TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, roomseg_arena_size(&config, 300, 200, mm, &query));
+        TEST_ASSERT_EQUAL_size_t(query, ROOMSEG_ARENA_SIZE_PAPER_HOME(300, 200, mm));
+    }
+}
+
+/* A cupboard of 3.2 m2 in the middle of a room that would part it. */
+static void test_furniture_parts_no_room_of_a_home(void)
+{
+    s = sketch_blank(220, 110, 255, 50);
+    sketch_fill(&s, 10, 10, 200, 90, 0);
+    sketch_fill(&s, 102, 14, 16, 80, 255);
+    run apart = run_unchecked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(2, apart.result.room_count);
+    run_free(&apart);
+    config = roomseg_config_paper_home();
+    run whole = run_unchecked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(1, whole.result.room_count);
+    run_free(&whole);
+}
+
 /* ---- memory */
 
 static void expect_equal(uint32_t width, uint32_t height, uint32_t resolution_mm)
@@ -343,6 +379,8 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_the_config_is_the_documented_one);
+    RUN_TEST(test_the_config_for_homes);
+    RUN_TEST(test_furniture_parts_no_room_of_a_home);
     RUN_TEST(test_macro_and_query_agree);
     RUN_TEST(test_six_bytes_a_cell);
     RUN_TEST(test_a_static_arena);

@@ -24,11 +24,15 @@ static int run_inner(const roomseg_config *config, const roomseg_grid *grid,
     const rs_labels labels = {b->turned_labels, frame.width};
     const roomseg_grid turned = {cells + rs_frame_index(&frame, 0, 0), frame.width, frame.height,
                                  frame.stride, grid->resolution_mm};
+    rs_mixture mixture = {config->free_max, 0, (uint8_t)(config->free_max + 1u)};
     int status;
 
     /* What comes from outside of the grid is an obstacle, but not a certain one. */
-    status = rs_rotate_grid(rotation, grid, config->free_max, (uint8_t)(config->free_max + 1u),
-                            cells + rs_frame_index(&frame, 0, 0), frame.stride, ticker);
+    if (config->profile->halves_unknown) {
+        mixture.whole_min = config->occupied_min;
+    }
+    status = rs_rotate_grid(rotation, grid, mixture, cells + rs_frame_index(&frame, 0, 0),
+                            frame.stride, ticker);
     if (status == ROOMSEG_OK) {
         rs_ticker_part(ticker, 1000, 1000); /* the profile's first steps are in no stage yet */
         memset(labels.cells, 0, (size_t)frame.width * frame.height * sizeof *labels.cells);

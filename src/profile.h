@@ -24,6 +24,10 @@ struct roomseg_profile {
     /* The rest is for the aligner, which turns labels back itself.
      * lines: cells without label separate the rooms; else rooms touch. */
     bool lines;
+    /* In turning, an obstacle that is not certain counts half: the published system mixes the
+     * values themselves, where unknown is 127. Else all count whole, which keeps thin walls
+     * closed on maps without certain ones. */
+    bool halves_unknown;
     /* Measures the graph of the labels 1..graph->region_count, which are those of rooms; the
      * lines between them are RS_LINE, and become 0. surface: bordered, distances. rows: scratch
      * of 8 * frame->width bytes, aligned to 4.

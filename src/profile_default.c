@@ -169,4 +169,4 @@ static int measure(const roomseg_config *config, const roomseg_grid *grid, const
                           (uint32_t)ROOMSEG_PLAN_EDGES(config->max_rooms), rows, ticker);
 }
 
-const roomseg_profile roomseg_profile_default = {rs_plan_default, run, false, measure};
+const roomseg_profile roomseg_profile_default = {rs_plan_default, run, false, false, measure};

@@ -331,7 +331,7 @@ static int measure(const roomseg_config *config, const roomseg_grid *grid, const
                : status;
 }
 
-const roomseg_profile roomseg_profile_paper = {rs_plan_paper, run, true, measure};
+const roomseg_profile roomseg_profile_paper = {rs_plan_paper, run, true, true, measure};
 
 roomseg_config roomseg_config_paper(void)
 {

@@ -134,21 +134,23 @@ static around look_around(const roomseg_grid *grid, int64_t x, int64_t y, uint8_
 /* The nearest of the four cells among the obstacles if these take more than a fifth of the
  * square around the position, else among the free cells. Less than that, and the single
  * cells of a thin wall that touch at corners only would come apart. */
-static uint8_t mix(const around *a, uint8_t free_max)
+static uint8_t mix(const around *a, rs_mixture mixture)
 {
     const uint32_t weights[4] = {(256u - a->right) * (256u - a->below),
                                  a->right * (256u - a->below), (256u - a->right) * a->below,
                                  a->right * a->below};
-    uint32_t obstacles = 0, most = 0;
+    uint32_t halves = 0, most = 0; /* halves: of obstacles, at most 2^17 */
     uint8_t value = a->values[0];
     bool obstacle;
 
     for (uint32_t i = 0; i < 4u; i++) {
-        obstacles += a->values[i] > free_max ? weights[i] : 0u;
+        if (a->values[i] > mixture.free_max) {
+            halves += a->values[i] >= mixture.whole_min ? 2u * weights[i] : weights[i];
+        }
     }
-    obstacle = obstacles * 5u > 65536u;
+    obstacle = halves * 5u > 2u * 65536u;
     for (uint32_t i = 0; i < 4u; i++) {
-        if ((a->values[i] > free_max) == obstacle && weights[i] > most) {
+        if ((a->values[i] > mixture.free_max) == obstacle && weights[i] > most) {
             most = weights[i];
             value = a->values[i];
         }
@@ -156,8 +158,8 @@ static uint8_t mix(const around *a, uint8_t free_max)
     return value;
 }
 
-int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t free_max,
-                   uint8_t fill, uint8_t *cells, uint32_t stride, rs_ticker *ticker)
+int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, rs_mixture mixture,
+                   uint8_t *cells, uint32_t stride, rs_ticker *ticker)
 {
     const rs_rotation *r = rotation;
 
@@ -169,9 +171,9 @@ int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t x = 0; x < r->width; x++) {
-            around a = look_around(grid, from_x, from_y, fill);
+            around a = look_around(grid, from_x, from_y, mixture.fill);
 
-            cells[x] = mix(&a, free_max);
+            cells[x] = mix(&a, mixture);
             from_x += r->axis.cos;
             from_y += r->axis.sin;
         }

@@ -23,12 +23,19 @@ typedef struct rs_rotation {
 int rs_rotate_init(const rs_frame *crop, const roomseg_grid *grid, uint8_t free_max,
                    int32_t angle, rs_rotation *rotation, rs_ticker *ticker);
 
+/* How four cells are mixed. */
+typedef struct rs_mixture {
+    uint8_t free_max;  /* obstacles are above this */
+    uint8_t whole_min; /* those below this count half; at most free_max + 1: none does */
+    uint8_t fill;      /* value of cells outside of the grid */
+} rs_mixture;
+
 /* cells: of the turned frame, `stride` bytes from row to row. Each takes the value of one of
- * the four grid cells around it: of an obstacle (above free_max) where obstacles make up more
- * than a fifth of the bilinear mixture, else of a free cell. So walls stay closed and no
- * value is new. Cells outside of the grid count as `fill`. */
-int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, uint8_t free_max,
-                   uint8_t fill, uint8_t *cells, uint32_t stride, rs_ticker *ticker);
+ * the four grid cells around it: of an obstacle where obstacles make up more than a fifth of
+ * the bilinear mixture, else of a free cell. So walls that count whole stay closed and no value
+ * is new. */
+int rs_rotate_grid(const rs_rotation *rotation, const roomseg_grid *grid, rs_mixture mixture,
+                   uint8_t *cells, uint32_t stride, rs_ticker *ticker);
 
 /* turned: labels of the turned frame, no gap between rows.
  * labels: of the crop, each from the nearest turned cell; cells with a mask of 0 become 0, and

@@ -31,12 +31,19 @@ static rs_rotation rotation_of(int32_t angle)
     return rotation;
 }
 
-static uint8_t *turn(const rs_rotation *rotation)
+/* Obstacles from whole_min on count whole. */
+static uint8_t *turn_halving(const rs_rotation *rotation, uint8_t whole_min)
 {
+    const rs_mixture mixture = {51, whole_min, 127};
     uint8_t *cells = stage_scratch((size_t)rotation->width * rotation->height, 1);
-    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_rotate_grid(rotation, &s.grid, 51, 127, cells,
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_rotate_grid(rotation, &s.grid, mixture, cells,
                                                      rotation->width, &ticker));
     return cells;
+}
+
+static uint8_t *turn(const rs_rotation *rotation)
+{
+    return turn_halving(rotation, 0);
 }
 
 static void test_no_angle_changes_nothing(void)
@@ -77,6 +84,29 @@ static void test_a_turned_room_stands_upright(void)
         free(cells);
         sketch_free(&s);
         sketch_free(&straight);
+    }
+}
+
+/* The unknown around a room takes less of it when it counts half: 0.1 cells a side. */
+static void test_the_unknown_counts_half(void)
+{
+    s = sketch_blank(120, 80, 127, 50);
+    sketch_fill(&s, 10, 10, 100, 60, 0);
+    crop = stage_frame(120, 80);
+    for (int32_t angle = -3700; angle < 4500; angle += 900) {
+        rs_rotation rotation = rotation_of(angle);
+        size_t cells = (size_t)rotation.width * rotation.height;
+        uint8_t *whole = turn(&rotation), *half = turn_halving(&rotation, 204);
+        long free_whole = 0, free_half = 0;
+        for (size_t i = 0; i < cells; i++) {
+            TEST_ASSERT_TRUE(whole[i] != 0 || half[i] == 0);
+            free_whole += whole[i] == 0;
+            free_half += half[i] == 0;
+        }
+        TEST_ASSERT_INT_WITHIN(40, 6000 - 96, free_whole);
+        TEST_ASSERT_INT_WITHIN(40, 6000 - 32, free_half);
+        free(whole);
+        free(half);
     }
 }
 
@@ -224,6 +254,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_no_angle_changes_nothing);
     RUN_TEST(test_a_turned_room_stands_upright);
+    RUN_TEST(test_the_unknown_counts_half);
     RUN_TEST(test_thin_walls_stay_closed);
     RUN_TEST(test_the_plan_holds_every_turned_frame);
     RUN_TEST(test_labels_come_back);

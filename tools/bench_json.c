@@ -54,6 +54,10 @@ static void print_map(FILE *out, const map_result *map) {
         fputs(", \"scores_without_specks\": ", out);
         bench_json_print_metrics(out, &map->score.without_specks);
     }
+    if (map->has_reference) {
+        fputs(", \"reference\": ", out);
+        bench_json_print_metrics(out, &map->reference);
+    }
     fputc('}', out);
 }
 

@@ -6,7 +6,8 @@
 
 const char *result_column_name(size_t column) {
     static const char *const names[RESULT_COLUMN_COUNT - METRIC_COUNT] = {
-        "rooms_found", "rooms_true", "time_ms", "arena_bytes", "bytes_per_crop_cell"};
+        "rooms_found", "rooms_true", "time_ms", "arena_bytes", "bytes_per_crop_cell",
+        "reference_rooms", "reference_ari"};
     return column < METRIC_COUNT ? metric_fields[column].name : names[column - METRIC_COUNT];
 }
 
@@ -32,6 +33,10 @@ int result_value(const map_result *map, size_t column, int without_specks, doubl
     if (column == RESULT_ROOMS_FOUND && map->has_cost) {
         *value = map->rooms;
         return 1;
+    }
+    if (column == RESULT_REFERENCE_ROOMS || column == RESULT_REFERENCE_ARI) {
+        *value = column == RESULT_REFERENCE_ARI ? map->reference.ari : map->reference.rooms_true;
+        return map->has_reference;
     }
     if (column > RESULT_ROOMS_TRUE) {
         return cost_value(map, column, value);

@@ -15,6 +15,9 @@ typedef struct map_result {
     int has_score;
     score score;
 
+    int has_reference;
+    metrics reference;    /* another program's labels as truth */
+
     int has_cost;         /* the library was run here */
     uint32_t rooms;       /* rooms it found */
     double time_ms;       /* CPU time of one roomseg_run, median of the repetitions */
@@ -35,6 +38,8 @@ enum {
     RESULT_TIME_MS,
     RESULT_ARENA_BYTES,
     RESULT_BYTES_PER_CELL, /* arena bytes per cell of the crop */
+    RESULT_REFERENCE_ROOMS,
+    RESULT_REFERENCE_ARI,
     RESULT_COLUMN_COUNT
 };
 

@@ -59,20 +59,36 @@ static int copy_labels(const map *m, const segmentation *s, const char *name,
     return 0;
 }
 
-static int score_map(const map *m, const segmentation *s, const dataset_map *files,
-                     score *out, tool_error *error) {
+static int score_by_truth(const label_image *labels, const dataset_map *files, score *out,
+                          tool_error *error) {
     label_image truth;
-    label_image labels;
     if (truth_load(files->truth, TRUTH_AUTO, &truth, error) != 0) {
         return -1;
     }
-    int rc = copy_labels(m, s, files->map, &labels, error);
-    if (rc == 0) {
-        rc = score_labels(&truth, &labels, files->map, out, error);
-        label_image_free(&labels);
-    }
+    int rc = score_labels(&truth, labels, files->map, out, error);
     label_image_free(&truth);
     return rc;
+}
+
+static int score_map(const bench_settings *settings, const dataset_set *set,
+                     const dataset_map *files, const map *m, const segmentation *s,
+                     map_result *out, tool_error *error) {
+    label_image labels;
+    int rc = 0;
+    if (copy_labels(m, s, files->map, &labels, error) != 0) {
+        return -1;
+    }
+    if (files->truth != NULL) {
+        rc = score_by_truth(&labels, files, &out->score, error);
+        out->has_score = rc == 0;
+    }
+    if (rc == 0 && settings->reference.folder != NULL) {
+        rc = bench_reference_score(&settings->reference, set->name, files->name, &labels,
+                                   &out->reference, error);
+        out->has_reference = rc > 0;
+    }
+    label_image_free(&labels);
+    return rc < 0 ? -1 : 0;
 }
 
 /* FOLDER/NAME.pgm; memory to be freed, or NULL. */
@@ -123,11 +139,8 @@ static int take_results(const bench_settings *settings, const dataset_set *set,
     out->arena_bytes = s->result.arena_used;
     out->crop_cells = (uint64_t)s->result.crop_width * s->result.crop_height;
     out->has_cost = 1;
-    if (files->truth != NULL) {
-        if (score_map(m, s, files, &out->score, error) != 0) {
-            return -1;
-        }
-        out->has_score = 1;
+    if (score_map(settings, set, files, m, s, out, error) != 0) {
+        return -1;
     }
     if (settings->labels_folder != NULL) {
         return write_labels(m, s, settings->labels_folder, set->name, files->name, error);

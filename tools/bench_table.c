@@ -12,7 +12,7 @@ typedef struct table_column {
     double scale; /* number shown = value * scale */
 } table_column;
 
-enum { NAME_MIN_WIDTH = 24, NAME_MAX_WIDTH = 40 };
+enum { NAME_MIN_WIDTH = 24, NAME_MAX_WIDTH = 40, LEAST_SHOWN = 5 };
 
 static const table_column table_columns[] = {
     {METRIC_UNDER_PAINTING, "under", 6, 2, 100.0},
@@ -33,6 +33,8 @@ static const table_column table_columns[] = {
     {RESULT_TIME_MS, "ms", 8, 1, 1.0},
     {RESULT_ARENA_BYTES, "KiB", 7, 0, 1.0 / 1024.0},
     {RESULT_BYTES_PER_CELL, "B/cell", 7, 2, 1.0},
+    {RESULT_REFERENCE_ROOMS, "refrooms", 9, 0, 1.0},
+    {RESULT_REFERENCE_ARI, "refARI", 7, 2, 100.0},
 };
 
 enum { TABLE_COLUMN_COUNT = sizeof table_columns / sizeof table_columns[0] };
@@ -42,13 +44,16 @@ enum { TABLE_COLUMN_COUNT = sizeof table_columns / sizeof table_columns[0] };
 typedef struct paper_row {
     const char *set;
     double percent[METRIC_PAPER_COUNT];
+    double recall_deviation, precision_deviation; /* of what their public implementation gives */
 } paper_row;
 
 static const paper_row paper_table[] = {
     {"furnished",
-     {14.41, 94.05, 86.00, 98.11, 98.41, 91.59, 91.58, 91.59, 70.20, 75.41, 90.58}},
+     {14.41, 94.05, 86.00, 98.11, 98.41, 91.59, 91.58, 91.59, 70.20, 75.41, 90.58},
+     4.10, 2.88},
     {"no_furniture",
-     {10.35, 94.76, 86.82, 98.18, 98.39, 92.06, 92.05, 92.06, 71.86, 76.69, 91.36}},
+     {10.35, 94.76, 86.82, 98.18, 98.39, 92.06, 92.05, 92.06, 71.86, 76.69, 91.36},
+     3.40, 2.97},
 };
 
 /* Their time per map. */
@@ -121,7 +126,8 @@ static void print_spread(FILE *out, const set_result *set, const char *title, in
             /* Mean numbers of rooms are no whole numbers. */
             table_column shown = *column;
             shown.decimals += column->value == RESULT_ROOMS_FOUND ||
-                              column->value == RESULT_ROOMS_TRUE;
+                              column->value == RESULT_ROOMS_TRUE ||
+                              column->value == RESULT_REFERENCE_ROOMS;
             print_number(out, &shown, deviation ? s.deviation : s.mean);
         }
     }
@@ -175,12 +181,17 @@ void bench_table_print(FILE *out, const set_result *set) {
     fputc('\n', out);
 }
 
-static void print_plus_minus(FILE *out, const set_result *set, size_t column) {
-    spread s = result_spread(set, column, 0);
-    fprintf(out, "%7.2f +- %5.2f", s.mean * 100.0, s.deviation * 100.0);
+static void print_plus_minus(FILE *out, double mean, double deviation) {
+    fprintf(out, "%9.2f +- %5.2f", mean, deviation);
 }
 
-void bench_table_print_summary(FILE *out, const set_result *sets, size_t count) {
+static void print_own(FILE *out, const set_result *set, size_t column) {
+    spread s = result_spread(set, column, 0);
+    print_plus_minus(out, s.mean * 100.0, s.deviation * 100.0);
+}
+
+/* Table II: recall and precision, the paper's beside ours. */
+static void print_recall_and_precision(FILE *out, const set_result *sets, size_t count) {
     int head = 0;
     for (size_t i = 0; i < count; i++) {
         const paper_row *paper = find_paper_row(sets[i].name);
@@ -188,18 +199,67 @@ void bench_table_print_summary(FILE *out, const set_result *sets, size_t count) 
             continue;
         }
         if (!head) {
-            fprintf(out, "%-*s%16s%18s%26s\n", NAME_MIN_WIDTH, "mean and deviation in %",
-                    "recall", "precision", "paper: recall, precision");
+            fprintf(out, "%-*s%18s%18s%18s%18s\n", NAME_MIN_WIDTH, "mean +- deviation, %",
+                    "recall", "precision", "paper: recall", "paper: precision");
             head = 1;
         }
         fprintf(out, "%-*.*s", NAME_MIN_WIDTH, NAME_MAX_WIDTH, sets[i].name);
-        print_plus_minus(out, &sets[i], METRIC_RECALL);
-        fputs("  ", out);
-        print_plus_minus(out, &sets[i], METRIC_PRECISION);
+        print_own(out, &sets[i], METRIC_RECALL);
+        print_own(out, &sets[i], METRIC_PRECISION);
         if (paper != NULL) {
-            fprintf(out, "%17.2f%9.2f", paper->percent[METRIC_RECALL],
-                    paper->percent[METRIC_PRECISION]);
+            print_plus_minus(out, paper->percent[METRIC_RECALL], paper->recall_deviation);
+            print_plus_minus(out, paper->percent[METRIC_PRECISION], paper->precision_deviation);
         }
         fputc('\n', out);
     }
+}
+
+/* The map that agrees least among those that agree better than `above`; NULL: none is left.
+ * Maps that agree equally well count as one. */
+static const map_result *find_least(const set_result *sets, size_t count, double above,
+                                    const char **set) {
+    const map_result *least = NULL;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t k = 0; k < sets[i].count; k++) {
+            const map_result *map = &sets[i].maps[k];
+            if (map->has_reference && map->failure.text[0] == '\0' &&
+                map->reference.ari > above &&
+                (least == NULL || map->reference.ari < least->reference.ari)) {
+                least = map;
+                *set = sets[i].name;
+            }
+        }
+    }
+    return least;
+}
+
+static void print_agreement(FILE *out, const set_result *sets, size_t count) {
+    double sum = 0.0;
+    double above = -2.0; /* below any adjusted Rand index */
+    size_t maps = 0;
+    for (size_t i = 0; i < count; i++) {
+        spread s = result_spread(&sets[i], RESULT_REFERENCE_ARI, 0);
+        sum += s.mean * (double)s.count;
+        maps += s.count;
+    }
+    if (maps == 0) {
+        return;
+    }
+    fprintf(out, "adjusted Rand index with the reference, %%: mean of %zu maps %.2f; least", maps,
+            sum / (double)maps * 100.0);
+    for (int i = 0; i < LEAST_SHOWN; i++) {
+        const char *set = "";
+        const map_result *map = find_least(sets, count, above, &set);
+        if (map == NULL) {
+            break;
+        }
+        fprintf(out, "%s %s/%s %.2f", i > 0 ? "," : "", set, map->name, map->reference.ari * 100.0);
+        above = map->reference.ari;
+    }
+    fputc('\n', out);
+}
+
+void bench_table_print_summary(FILE *out, const set_result *sets, size_t count) {
+    print_recall_and_precision(out, sets, count);
+    print_agreement(out, sets, count);
 }

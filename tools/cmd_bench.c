@@ -17,9 +17,9 @@
 #include "truth.h"
 
 static const char usage[] =
-    "usage: roomseg bench DATASET [--set NAME] [--profile NAME] [--align] [--reps N]\n"
+    "usage: roomseg bench DATASET [--set NAMES] [--profile NAME] [--align] [--reps N]\n"
     "                     [--json] [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
-    "                     [--labels FOLDER]\n";
+    "                     [--labels FOLDER] [--reference FOLDER] [--no-room VALUE]\n";
 
 static const char help[] =
     "\n"
@@ -31,7 +31,7 @@ static const char help[] =
     "  NAME.png           one set; truth in groundtruth/\n"
     "Maps without truth: rooms, time and memory alone. How truth is read: roomseg eval --help.\n"
     "\n"
-    "  --set NAME            this set alone\n"
+    "  --set NAME[,NAME]...  these sets alone\n"
     "  --profile NAME        default, or paper: the published system, which leaves cells\n"
     "                        beside walls and between rooms without a room; or paper-home:\n"
     "                        that with its settings for homes, and --align\n"
@@ -43,6 +43,10 @@ static const char help[] =
     "  --invert              the images are white where the floor is free (not for YAML)\n"
     "  --config FIELD=VALUE  sets a field of the configuration; may be repeated\n"
     "  --labels FOLDER       writes the labels to FOLDER/SET/NAME.pgm\n"
+    "  --reference FOLDER    compares with the labels of another program, FOLDER/SET/NAME.png\n"
+    "                        or .pgm of the map's size: its rooms, and the adjusted Rand index\n"
+    "                        over the cells that both label\n"
+    "  --no-room VALUE       this label of the reference is no room either, 1 to 65535\n"
     "\n"
     "The time is the CPU time of roomseg_run, without reading files. Deviations are those of\n"
     "a sample (n - 1). A map that fails is named and left out; the exit code is then 1.\n";
@@ -67,9 +71,10 @@ static int check_config(const roomseg_config *config, tool_error *error) {
     return 0;
 }
 
-static int read_values(const char *repetitions, const char *resolution, request *out,
-                       tool_error *error) {
+static int read_values(const char *repetitions, const char *resolution, const char *no_room,
+                       request *out, tool_error *error) {
     long count = DEFAULT_REPETITIONS;
+    long no_room_label = 0;
     if (repetitions != NULL &&
         args_integer("--reps", repetitions, 1, BENCH_MAX_REPETITIONS, &count, error) != 0) {
         return -1;
@@ -80,7 +85,12 @@ static int read_values(const char *repetitions, const char *resolution, request 
                   error) != 0) {
         return -1;
     }
+    if (no_room != NULL &&
+        args_integer("--no-room", no_room, 1, 65535, &no_room_label, error) != 0) {
+        return -1;
+    }
     out->settings.repetitions = (int)count;
+    out->settings.reference.no_room = (uint32_t)no_room_label;
     if (out->align) {
         out->settings.config.align = ROOMSEG_ALIGN_ON;
     }
@@ -90,6 +100,7 @@ static int read_values(const char *repetitions, const char *resolution, request 
 static int read_request(int argc, char **argv, request *out, tool_error *error) {
     const char *repetitions = NULL;
     const char *resolution = NULL;
+    const char *no_room = NULL;
     int operands;
     memset(out, 0, sizeof *out);
     const arg_option options[] = {
@@ -98,6 +109,8 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         {"--reps", NULL, &repetitions, NULL},
         {"--resolution", NULL, &resolution, NULL},
         {"--labels", NULL, &out->settings.labels_folder, NULL},
+        {"--reference", NULL, &out->settings.reference.folder, NULL},
+        {"--no-room", NULL, &no_room, NULL},
         {"--invert", NULL, NULL, &out->settings.map.invert},
         {"--json", NULL, NULL, &out->json},
         {"--help", "-h", NULL, &out->help},
@@ -112,7 +125,7 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         tool_error_set(error, "bench: which data set?");
         return -1;
     }
-    return read_values(repetitions, resolution, out, error);
+    return read_values(repetitions, resolution, no_room, out, error);
 }
 
 /* Position in the whole run, for the progress line. */
@@ -160,8 +173,19 @@ static int run_set(const request *q, const dataset_set *set, progress *p, set_re
     return 0;
 }
 
+/* Whether the set's name stands in the list NAME,NAME... */
 static int is_wanted(const request *q, const dataset_set *set) {
-    return q->set == NULL || strcmp(q->set, set->name) == 0;
+    size_t length = strlen(set->name);
+    const char *names = q->set;
+    while (names != NULL) {
+        if (strncmp(names, set->name, length) == 0 &&
+            (names[length] == ',' || names[length] == '\0')) {
+            return 1;
+        }
+        names = strchr(names, ',');
+        names += names != NULL;
+    }
+    return q->set == NULL;
 }
 
 static void print_json(const request *q, const set_result *sets, size_t count) {
@@ -243,6 +267,12 @@ int cmd_bench(int argc, char **argv) {
         return EXIT_DONE;
     }
     int rc = dataset_open(q.folder, &data, &error);
+    if (rc == 0 && q.settings.reference.folder != NULL &&
+        !dataset_is_folder(q.settings.reference.folder)) {
+        tool_error_set(&error, "%s: is no folder", q.settings.reference.folder);
+        dataset_free(&data);
+        rc = -1;
+    }
     if (rc == 0) {
         rc = bench(&q, &data, &error);
         dataset_free(&data);

@@ -111,6 +111,10 @@ static char *find_file(const char *folder, const char *name, const char *const *
     return NULL;
 }
 
+char *dataset_find_labels(const char *folder, const char *name, int *failed) {
+    return find_file(folder, name, TRUTH_ENDINGS, failed);
+}
+
 static int has_map(const dataset_set *set, const char *name) {
     for (size_t i = 0; i < set->count; i++) {
         if (strcmp(set->maps[i].name, name) == 0) {

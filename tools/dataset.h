@@ -41,6 +41,10 @@ int dataset_open(const char *folder, dataset *out, tool_error *error);
 int dataset_pair(const char *folder, const char *truth_folder, dataset_set *out,
                  tool_error *error);
 
+/* Path of FOLDER/NAME.pgm or .png, whichever exists first. Memory to be freed; NULL when there
+ * is none, or when memory runs out: then *failed is set. */
+char *dataset_find_labels(const char *folder, const char *name, int *failed);
+
 /* 1 when the path leads to a folder. */
 int dataset_is_folder(const char *path);
 

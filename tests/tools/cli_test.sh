@@ -162,6 +162,36 @@ cp plan.pgm ./-plan.pgm
 run segment -o dash_out -- -plan.pgm
 verdict "a map whose name begins with a dash" [ "$code" -eq 0 ]
 
+# ---- a benchmark with another program's labels
+
+mkdir -p plans/one plans/two other/one
+cp plan.pgm plans/one/a.pgm
+cp plan.pgm plans/one/b.pgm
+cp plan.pgm plans/two/a.pgm
+run bench plans --resolution 0.05 --reps 1 --labels other
+verdict "bench: exit 0" [ "$code" -eq 0 ]
+verdict "bench: no column without a reference" [ -z "$(grep refARI stdout)" ]
+mv other/two/a.pgm other/two.pgm
+rm other/one/b.pgm
+run bench plans --set one --resolution 0.05 --reps 1 --reference other
+verdict "reference: its rooms and the agreement" grep -Eq '^a .* 2 +100\.00$' stdout
+verdict "reference: a map that it lacks" grep -Eq '^b .* - +-$' stdout
+verdict "reference: the mean" grep -q 'mean of 1 maps 100.00; least one/a 100.00$' stdout
+run bench plans --set two,one --resolution 0.05 --reps 1 --reference other --no-room 2
+verdict "reference: one label is no room" grep -Eq '^a .* 1 +100\.00$' stdout
+run bench plans --set one --resolution 0.05 --reps 1 --reference other --json
+verdict "reference: in JSON" grep -q '"reference": {"under_painting": 0, ' stdout
+verdict "reference: its mean in JSON" grep -q '"reference_rooms": 2, "reference_ari": 1}' stdout
+run bench plans --profile paper-home --resolution 0.05 --reps 1
+verdict "paper-home: exit 0" [ "$code" -eq 0 ]
+misused "no-room" "--no-room needs a whole number" bench plans --no-room 0
+refused "no reference" "nowhere: is no folder" bench plans --reference nowhere
+echo 'P2 2 1 255 1 2' >other/one/b.pgm
+run bench plans --set one --resolution 0.05 --reps 1 --reference other
+verdict "a reference of another size: exit 1" [ "$code" -eq 1 ]
+verdict "a reference of another size: says why" grep -q \
+    'other/one/b.pgm: 2x1 cells, but the map has 150x80$' stderr
+
 # ---- bad input
 
 refused "missing map" "missing.png: No such file" segment missing.png -o bad

@@ -30,7 +30,7 @@ static void drop_isolated(uint32_t isolated_cells, rs_graph *graph)
     }
 }
 
-#define MAP_WALLS_PERCENT 30u     /* least share of walls in the whole border */
+#define MAP_WALLS_PERCENT 35u     /* least share of walls in the whole border */
 #define UNWALLED_AREA_PERCENT 10u /* largest share of the whole area */
 
 /* Marks the roots that are small against the map and bounded by walls far less than the map

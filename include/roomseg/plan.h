@@ -36,7 +36,7 @@
 #define ROOMSEG_ROOM_SUM_BYTES 16u
 #define ROOMSEG_DOORWAY_BYTES 16u
 #define ROOMSEG_NORMAL_BYTES 4u
-#define ROOMSEG_DIRECTION_BIN_BYTES 16u
+#define ROOMSEG_DIRECTION_BIN_BYTES 24u
 
 /* Cells of the crop with its border of one obstacle cell on every side. */
 #define ROOMSEG_PLAN_CELLS(w, h) (((size_t)(w) + 2u) * ((size_t)(h) + 2u))

@@ -76,27 +76,29 @@ void test_canny(const test_map &map)
 static double opencv_direction(const cv::Mat &image, double *length)
 {
     std::vector<cv::Vec4i> segments;
-    std::vector<double> bins(90, 0.0), moments(90, 0.0);
+    std::vector<double> bins(90, 0.0), weights(90, 0.0), moments(90, 0.0);
     cv::HoughLinesP(image, segments, 1, CV_PI / 180, 20, 10, 5);
     *length = 0;
     for (const cv::Vec4i &s : segments) {
-        double dx = s[2] - s[0], dy = s[3] - s[1], weight = std::hypot(dx, dy);
+        double dx = s[2] - s[0], dy = s[3] - s[1], cells = std::hypot(dx, dy);
         double angle = std::fmod(std::atan2(dy, dx) * 180 / CV_PI + 360, 90);
         size_t bin = std::min((size_t)angle, (size_t)89);
-        bins[bin] += weight;
-        moments[bin] += weight * (angle - (double)bin);
-        *length += weight;
+        bins[bin] += cells;
+        weights[bin] += std::pow(cells, 3);
+        moments[bin] += std::pow(cells, 3) * (angle - (double)bin);
+        *length += cells;
     }
     double most = 0, best = 0;
     for (size_t first = 0; first < 90; first++) {
-        double sum = 0, moment = 0;
+        double sum = 0, weight = 0, moment = 0;
         for (size_t k = 0; k < 5; k++) {
             sum += bins[(first + k) % 90];
-            moment += moments[(first + k) % 90] + bins[(first + k) % 90] * (double)k;
+            weight += weights[(first + k) % 90];
+            moment += moments[(first + k) % 90] + weights[(first + k) % 90] * (double)k;
         }
         if (sum > most) {
             most = sum;
-            best = (double)first + moment / sum;
+            best = (double)first + moment / weight;
         }
     }
     return best;
@@ -128,7 +130,7 @@ static void compare_directions(const test_map &map)
     double period = map.name.find("16_office_e") != std::string::npos ? 18 : 90;
     double angle = rs_direction_find(bins.data()) / 100.0;
     check_at_most(map.name, "direction: degrees off OpenCV's",
-                  std::fabs(std::remainder(angle - expected, period)), 1.5);
+                  std::fabs(std::remainder(angle - expected, period)), 1.0);
     // OpenCV takes back votes that were never given, and so finds fewer of the last segments.
     check_at_most(map.name, "length of all segments for each of OpenCV's",
                   length / expected_length, 1.4);

@@ -251,6 +251,21 @@ static void test_long_lines_outweigh_many_short_ones(void)
     TEST_ASSERT_INT_WITHIN(2, -3330, rs_direction_find(bins));
 }
 
+/* Within the window a segment's weight is the cube of its length: what n short ones say off by
+ * a degree and a half moves the mean by little. */
+static void test_long_lines_are_more_precise(void)
+{
+    rs_direction_bin bins[ROOMSEG_DIRECTION_BINS];
+    rs_direction_clear(bins);
+    for (int i = 0; i < 30; i++) {
+        rs_line line = make_line(21.5, 40);
+        rs_direction_add(bins, &line);
+    }
+    rs_line line = make_line(20.0, 400);
+    rs_direction_add(bins, &line);
+    TEST_ASSERT_INT_WITHIN(8, 2000, rs_direction_find(bins));
+}
+
 static void test_directions_between_the_bins(void)
 {
     for (int tenths = -450; tenths < 450; tenths += 3) {
@@ -278,6 +293,7 @@ int main(void)
     RUN_TEST(test_cancelling);
     RUN_TEST(test_the_window_goes_round);
     RUN_TEST(test_long_lines_outweigh_many_short_ones);
+    RUN_TEST(test_long_lines_are_more_precise);
     RUN_TEST(test_directions_between_the_bins);
     return UNITY_END();
 }

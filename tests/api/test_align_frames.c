@@ -180,7 +180,8 @@ static void test_the_paper_profile(void)
         for (uint32_t i = 0; i < 7; i++) {
             const roomseg_doorway *door = &r.result.doorways[i];
             TEST_ASSERT_EQUAL_UINT16(0, run_label(&r, door->x, door->y));
-            TEST_ASSERT_UINT_WITHIN(4, 12, door->border_cells);
+            /* The line runs askew: a stair of up to 14 (cos + sin) cells. */
+            TEST_ASSERT_TRUE(door->border_cells >= 8 && door->border_cells <= 20);
             TEST_ASSERT_UINT_WITHIN(160, 640, door->width_mm);
         }
         for (uint32_t y = 1; y < turned.grid.height; y++) {

@@ -134,8 +134,8 @@ static double window(const rs_direction_bin *bins, uint32_t first, double *mean)
     return length;
 }
 
-/* Directions along which walls of at least two fifths of that length lie: in a building with five wings, any of
- * five directions may come out first on a turned map, by how the cells happen to lie. */
+/* Directions along which at least two fifths as much wall lies: in a building with five wings,
+ * any of five may come out first on a turned map, by how the cells happen to lie. */
 static void add_rivals(const rs_direction_bin *bins, directions *d)
 {
     const double strong = 0.4;

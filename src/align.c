@@ -13,6 +13,17 @@ static int run_profile(const roomseg_config *config, const roomseg_grid *grid,
     return config->profile->run(config, grid, frame, &plan, labels, result, arena, ticker);
 }
 
+rs_mixture rs_align_mixture(const roomseg_config *config)
+{
+    /* What comes from outside of the grid is an obstacle, but not a certain one. */
+    rs_mixture mixture = {config->free_max, 0, (uint8_t)(config->free_max + 1u)};
+
+    if (config->profile->halves_unknown) {
+        mixture.whole_min = config->occupied_min;
+    }
+    return mixture;
+}
+
 /* The profile on the turned grid. Its labels end in the arena, and of its rooms one cell
  * each, turned back, in b->anchors. */
 static int run_inner(const roomseg_config *config, const roomseg_grid *grid,
@@ -24,15 +35,10 @@ static int run_inner(const roomseg_config *config, const roomseg_grid *grid,
     const rs_labels labels = {b->turned_labels, frame.width};
     const roomseg_grid turned = {cells + rs_frame_index(&frame, 0, 0), frame.width, frame.height,
                                  frame.stride, grid->resolution_mm};
-    rs_mixture mixture = {config->free_max, 0, (uint8_t)(config->free_max + 1u)};
     int status;
 
-    /* What comes from outside of the grid is an obstacle, but not a certain one. */
-    if (config->profile->halves_unknown) {
-        mixture.whole_min = config->occupied_min;
-    }
-    status = rs_rotate_grid(rotation, grid, mixture, cells + rs_frame_index(&frame, 0, 0),
-                            frame.stride, ticker);
+    status = rs_rotate_grid(rotation, grid, rs_align_mixture(config),
+                            cells + rs_frame_index(&frame, 0, 0), frame.stride, ticker);
     if (status == ROOMSEG_OK) {
         rs_ticker_part(ticker, 1000, 1000); /* the profile's first steps are in no stage yet */
         memset(labels.cells, 0, (size_t)frame.width * frame.height * sizeof *labels.cells);

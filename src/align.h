@@ -79,6 +79,9 @@ int rs_align_mask(const roomseg_config *config, const roomseg_grid *grid, const 
 int rs_align_find(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
                   void *arena, int32_t *angle, rs_ticker *ticker);
 
+/* How the config's profile mixes cells as the grid is turned. */
+rs_mixture rs_align_mixture(const roomseg_config *config);
+
 /* Free space that the profile left without label although it is open to a room gets a label
  * of its own, so that it is not taken for what is lost in turning. Lines between rooms stay
  * without: they are drawn anew. Turned cells become a surface. */

@@ -130,8 +130,7 @@ int walls_turn(const map *m, const roomseg_config *config, const rs_frame *frame
     out->width = rotation.width;
     out->height = rotation.height;
     out->resolution_m = m->resolution_m;
-    /* The fill as in run_inner() of src/align.c: an obstacle, but no certain one. */
-    rs_rotate_grid(&rotation, &grid, config->free_max, (uint8_t)(config->free_max + 1u),
-                   out->cells, rotation.width, &ticker);
+    rs_rotate_grid(&rotation, &grid, rs_align_mixture(config), out->cells, rotation.width,
+                   &ticker);
     return 0;
 }

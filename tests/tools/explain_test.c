@@ -405,8 +405,8 @@ static void check_files(const char *folder, const char *const *names, const char
     free(page);
 }
 
-/* The crop of the flat is 179 x 100 cells, with a margin of 4 on each side: 6 pixels a cell. */
-enum { PICTURE_WIDTH = 6 * 187, PICTURE_HEIGHT = 6 * 108 };
+/* The crop of the flat is 179 x 100 cells, with a margin of 4 on each side: 7 pixels a cell. */
+enum { PICTURE_WIDTH = 7 * 187, PICTURE_HEIGHT = 7 * 108 };
 
 static void test_default_profile_writes_all_files(void) {
     static const char *const names[] = {

@@ -2,7 +2,7 @@
 
 #include "colors.h"
 
-#define LONG_SIDE_PX 1200
+#define LONG_SIDE_PX 1400
 #define MAX_SCALE 16
 #define MARGIN_CELLS 4
 

@@ -6,7 +6,7 @@
 #include "draw.h"
 #include "view.h"
 
-/* The crop with a narrow margin, at a size that fits a page: the long side has 600 to 1200
+/* The crop with a narrow margin, at a size that fits a page: the long side has 700 to 1400
  * pixels; larger crops are shrunk by a whole number. */
 view picture_view(const map *m, const segmentation *s, const rs_frame *frame);
 

@@ -31,12 +31,6 @@ typedef struct sheet {
     tool_error *error;
 } sheet;
 
-/* The last folder's own name, for a data set without sub-folders. */
-static const char *base_name(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash != NULL && slash[1] != '\0' ? slash + 1 : path;
-}
-
 /* FOLDER/SET/NAME + ending when there is such a file; NULL else, or when memory runs out. */
 static char *existing(const char *folder, const char *set, const char *name, size_t length,
                       const char *ending) {
@@ -211,19 +205,18 @@ static int add_picture(sheet *s, const char *name, const sheet_row *rows, size_t
 
 static int add_set(sheet *s, const dataset_set *set) {
     sheet_row *rows = calloc(set->count, sizeof *rows);
-    const char *name = base_name(set->name);
     int rc = 0;
     if (rows == NULL) {
         tool_error_set(s->error, "%s: out of memory", s->q->dataset);
         return -1;
     }
     fputs("<h2>", s->page);
-    page_text(s->page, name);
+    page_text(s->page, set->name);
     fputs("</h2>\n", s->page);
     for (size_t i = 0; i < set->count && rc == 0; i++) {
         rc = add_row(s, set, i, &rows[i]);
     }
-    rc = rc == 0 ? add_picture(s, name, rows, set->count) : rc;
+    rc = rc == 0 ? add_picture(s, set->name, rows, set->count) : rc;
     for (size_t i = 0; i < set->count; i++) {
         sheet_row_free(&rows[i]);
     }
@@ -232,7 +225,7 @@ static int add_set(sheet *s, const dataset_set *set) {
 }
 
 static void tell_introduction(const sheet *s) {
-    page_begin(s->page, base_name(s->q->dataset));
+    page_begin(s->page, "Maps and their rooms");
     fputs("<p>Each map with its rooms. A room has the colour of the true room with which it shares "
           "most cells, without a truth that of the default profile&#8217;s; dark seams separate "
           "rooms. So a true room that was cut in pieces shows as seams within one colour, rooms "

@@ -29,12 +29,12 @@ static void tell_seed_maps(const explanation *e, FILE *page) {
 }
 
 static void tell_lifetime(const explanation *e, FILE *page, int *section) {
-    int last = (int)plane_most(&e->o, PLANE_LIFETIME);
+    int last = (int)plane_most(&e->o, PLANE_LIFETIME); /* 1 also when there is no seed */
     page_section(page, section, "Seeds at many scales");
     fprintf(page, "<p>The obstacles are grown, which closes doors, and then blurred more and more. "
                   "A cell belongs to the seed map of a scale while the blur leaves it hardly any "
                   "share of obstacles. Seeds shrink, divide at narrows, and die out, the largest "
-                  "hall last: here after %d scales, at &#963; = %.2f m.</p>\n",
+                  "hall last: here at scale %d, &#963; = %.2f m.</p>\n",
             last, sigma_mm(last) / 1000.0);
     page_parameters_begin(page);
     page_length(page, "dilation_mm", e->config.dilation_mm, cell_mm(e));

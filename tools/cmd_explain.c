@@ -47,15 +47,18 @@ typedef struct request {
     const char *map_path, *folder, *truth, *dataset, *set, *reference;
     map_options options;
     roomseg_config config;
+    int has_config; /* --profile or --config was given */
     int align, help;
 } request;
 
 static int check_words(const request *q, int operands, tool_error *error) {
     if (q->dataset == NULL && operands == 0) {
         tool_error_set(error, "explain: which map?");
-    } else if (q->dataset != NULL && (operands > 0 || q->truth != NULL)) {
+    } else if (q->dataset != NULL && (operands > 0 || q->truth != NULL || q->has_config)) {
         tool_error_set(error, "explain: %s does not go with --sheet",
-                       operands > 0 ? "a map" : "--truth");
+                       operands > 0       ? "a map"
+                       : q->truth != NULL ? "--truth"
+                                          : "--profile or --config");
     } else if (q->dataset == NULL && (q->set != NULL || q->reference != NULL)) {
         tool_error_set(error, "explain: %s goes with --sheet only",
                        q->set != NULL ? "--set" : "--reference");
@@ -83,9 +86,13 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         {"--help", "-h", NULL, &out->help},
         {NULL, NULL, NULL, NULL},
     };
+    int words = argc;
     if (profile_take_option(&argc, argv, &out->config, error) != 0 ||
-        config_take_options(&argc, argv, &out->config, error) != 0 ||
-        args_parse(argc, argv, options, &out->map_path, 1, &operands, error) != 0) {
+        config_take_options(&argc, argv, &out->config, error) != 0) {
+        return -1;
+    }
+    out->has_config = argc < words;
+    if (args_parse(argc, argv, options, &out->map_path, 1, &operands, error) != 0) {
         return -1;
     }
     if (out->align) {

@@ -17,7 +17,7 @@ static const char usage[] =
     "usage: roomseg explain MAP -o FOLDER [--profile NAME] [--align] [--truth IMAGE]\n"
     "                       [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
     "       roomseg explain --sheet DATASET -o FOLDER [--set NAME] [--reference FOLDER]\n"
-    "                       [--align] [--resolution M] [--invert]\n";
+    "                       [--profile NAME] [--align] [--resolution M] [--invert]\n";
 
 static const char help[] =
     "\n"
@@ -28,7 +28,8 @@ static const char help[] =
     "MAP is a PNG or PGM occupancy grid or a ROS map_server YAML, as roomseg segment takes it.\n"
     "\n"
     "  -o, --output FOLDER   where the files go\n"
-    "  --profile NAME        default, or paper: the published system\n"
+    "  --profile NAME        default, or paper: the published system; or paper-home: that with\n"
+    "                        its settings for homes, and --align\n"
     "  --align               turns the map until its walls lie along the axes, and shows how\n"
     "  --truth IMAGE         the true rooms, for a comparison; see roomseg eval --help\n"
     "  --resolution M        edge of a cell in metres, 0.02 to 0.2; default: what the map\n"
@@ -40,6 +41,7 @@ static const char help[] =
     "truth, the rooms of both profiles. Writes FOLDER/sheet.html and a picture for each set.\n"
     "\n"
     "  --set NAME            this set alone\n"
+    "  --profile paper-home  the paper's rooms are those of its settings for homes\n"
     "  --reference FOLDER    labels of another program, FOLDER/SET/NAME.png or .pgm, or named\n"
     "                        by the number that NAME begins with; 255 is no room\n";
 
@@ -47,18 +49,18 @@ typedef struct request {
     const char *map_path, *folder, *truth, *dataset, *set, *reference;
     map_options options;
     roomseg_config config;
-    int has_config; /* --profile or --config was given */
+    int has_fields; /* --config was given */
     int align, help;
 } request;
 
 static int check_words(const request *q, int operands, tool_error *error) {
     if (q->dataset == NULL && operands == 0) {
         tool_error_set(error, "explain: which map?");
-    } else if (q->dataset != NULL && (operands > 0 || q->truth != NULL || q->has_config)) {
+    } else if (q->dataset != NULL && (operands > 0 || q->truth != NULL || q->has_fields)) {
         tool_error_set(error, "explain: %s does not go with --sheet",
                        operands > 0       ? "a map"
                        : q->truth != NULL ? "--truth"
-                                          : "--profile or --config");
+                                          : "--config");
     } else if (q->dataset == NULL && (q->set != NULL || q->reference != NULL)) {
         tool_error_set(error, "explain: %s goes with --sheet only",
                        q->set != NULL ? "--set" : "--reference");
@@ -86,12 +88,14 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         {"--help", "-h", NULL, &out->help},
         {NULL, NULL, NULL, NULL},
     };
-    int words = argc;
-    if (profile_take_option(&argc, argv, &out->config, error) != 0 ||
-        config_take_options(&argc, argv, &out->config, error) != 0) {
+    if (profile_take_option(&argc, argv, &out->config, error) != 0) {
         return -1;
     }
-    out->has_config = argc < words;
+    int words = argc;
+    if (config_take_options(&argc, argv, &out->config, error) != 0) {
+        return -1;
+    }
+    out->has_fields = argc < words;
     if (args_parse(argc, argv, options, &out->map_path, 1, &operands, error) != 0) {
         return -1;
     }
@@ -148,7 +152,14 @@ static int explain_map(const request *q, tool_error *error) {
 }
 
 static int explain_dataset(const request *q, tool_error *error) {
-    const sheet_request sheet = {q->dataset, q->set, q->reference, q->options, q->align};
+    sheet_request sheet = {q->dataset, q->set, q->reference, q->options,
+                           roomseg_config_default(), roomseg_config_paper()};
+    if (q->config.profile == ROOMSEG_PROFILE_PAPER) {
+        sheet.by_paper = q->config;
+    }
+    if (q->align) {
+        sheet.by_default.align = sheet.by_paper.align = ROOMSEG_ALIGN_ON;
+    }
     size_t maps;
     int rc = sheet_write(&sheet, q->folder, &maps, error);
     if (rc == 0) {

@@ -259,8 +259,8 @@ misused "explain: map and sheet" "a map does not go with --sheet" \
     explain plan.pgm --sheet . -o out
 misused "explain: truth and sheet" "--truth does not go with --sheet" \
     explain --sheet . --truth plan.pgm -o out
-misused "explain: profile and sheet" "--profile or --config does not go with --sheet" \
-    explain --sheet . --profile paper -o out
+misused "explain: config and sheet" "--config does not go with --sheet" \
+    explain --sheet . --config speck_mm2=0 -o out
 misused "explain: set without sheet" "--set goes with --sheet only" \
     explain plan.pgm --set a -o out
 misused "explain: unknown profile" "unknown profile 'x'" explain plan.pgm -o out --profile x

@@ -184,7 +184,8 @@ static int tell_row(FILE *page, const sheet_row *row) {
 static int add_row(sheet *s, const dataset_set *set, size_t i, sheet_row *row) {
     const sheet_request *q = s->q;
     char *reference = find_reference(q->reference, set->name, set->maps[i].name);
-    int rc = sheet_row_make(&set->maps[i], reference, &q->options, q->align, row, s->error);
+    int rc = sheet_row_make(&set->maps[i], reference, &q->options, &q->by_default, &q->by_paper,
+                            row, s->error);
     free(reference);
     if (rc == 0 && tell_row(s->page, row) != 0) {
         tool_error_set(s->error, "%s: out of memory", set->maps[i].map);

@@ -3,6 +3,7 @@
 #define ROOMSEG_EXPLAIN_SHEET_H
 
 #include "map.h"
+#include "roomseg/roomseg.h"
 #include "tool_error.h"
 
 typedef struct sheet_request {
@@ -10,7 +11,7 @@ typedef struct sheet_request {
     const char *set;       /* NULL: all */
     const char *reference; /* folder with labels of another program, NULL: none */
     map_options options;
-    int align;
+    roomseg_config by_default, by_paper; /* of the two columns */
 } sheet_request;
 
 /* Writes FOLDER/NN_SET.png for each set, and FOLDER/sheet.html. *maps: how many are on it.

@@ -254,12 +254,10 @@ static int draw_column(const making *m, int column, sheet_cell *cell) {
     return rc;
 }
 
-static int segment_column(making *m, const roomseg_config *config, int align,
-                          label_image *labels, sheet_cell *cell, tool_error *error) {
-    roomseg_config c = *config;
+static int segment_column(making *m, const roomseg_config *config, label_image *labels,
+                          sheet_cell *cell, tool_error *error) {
     segmentation s;
-    c.align = align ? ROOMSEG_ALIGN_ON : NULL;
-    if (segment_map(&m->m, &c, m->name, &s, error) != 0) {
+    if (segment_map(&m->m, config, m->name, &s, error) != 0) {
         return -1;
     }
     size_t cells = (size_t)m->m.width * m->m.height;
@@ -297,17 +295,11 @@ static int score_column(const making *m, int column, const char *name, sheet_cel
     return 0;
 }
 
-static int load_columns(making *m, const dataset_map *files, const char *reference, int align,
-                        sheet_row *row, tool_error *error) {
-    roomseg_config by_default = roomseg_config_default();
-    roomseg_config by_paper = roomseg_config_paper();
-    int rc = segment_column(m, &by_default, align, &m->labels[SHEET_DEFAULT],
-                            &row->cells[SHEET_DEFAULT], error);
-    if (rc == 0) {
-        rc = segment_column(m, &by_paper, align, &m->labels[SHEET_PAPER],
-                            &row->cells[SHEET_PAPER], error);
-    }
-    if (rc == 0 && files->truth != NULL) {
+/* The labels that are in files. */
+static int load_columns(making *m, const dataset_map *files, const char *reference,
+                        tool_error *error) {
+    int rc = 0;
+    if (files->truth != NULL) {
         rc = truth_load(files->truth, TRUTH_AUTO, &m->labels[SHEET_TRUTH], error);
     }
     if (rc == 0 && reference != NULL) {
@@ -316,6 +308,12 @@ static int load_columns(making *m, const dataset_map *files, const char *referen
     if (rc == 0 && m->labels[SHEET_REFERENCE].values != NULL) {
         label_image_clear(&m->labels[SHEET_REFERENCE], NO_ROOM_IN_REFERENCE);
     }
+    return rc;
+}
+
+static int score_columns(const making *m, const dataset_map *files, sheet_row *row,
+                         tool_error *error) {
+    int rc = 0;
     for (int column = SHEET_DEFAULT; rc == 0 && column < SHEET_COLUMNS; column++) {
         rc = score_column(m, column, files->map, &row->cells[column], error);
     }
@@ -352,7 +350,8 @@ static int find_crop(making *m, tool_error *error) {
 }
 
 int sheet_row_make(const dataset_map *files, const char *reference, const map_options *options,
-                   int align, sheet_row *out, tool_error *error) {
+                   const roomseg_config *by_default, const roomseg_config *by_paper,
+                   sheet_row *out, tool_error *error) {
     making m;
     memset(&m, 0, sizeof m);
     memset(out, 0, sizeof *out);
@@ -360,7 +359,14 @@ int sheet_row_make(const dataset_map *files, const char *reference, const map_op
     out->name = files->name;
     int rc = map_load(files->map, options, &m.m, error);
     rc = rc == 0 ? find_crop(&m, error) : rc;
-    rc = rc == 0 ? load_columns(&m, files, reference, align, out, error) : rc;
+    rc = rc == 0 ? load_columns(&m, files, reference, error) : rc;
+    rc = rc == 0 ? segment_column(&m, by_default, &m.labels[SHEET_DEFAULT],
+                                  &out->cells[SHEET_DEFAULT], error)
+                 : rc;
+    rc = rc == 0 ? segment_column(&m, by_paper, &m.labels[SHEET_PAPER],
+                                  &out->cells[SHEET_PAPER], error)
+                 : rc;
+    rc = rc == 0 ? score_columns(&m, files, out, error) : rc;
     if (rc == 0 && draw_row(&m, out) != 0) {
         tool_error_set(error, "%s: out of memory", files->map);
         rc = -1;

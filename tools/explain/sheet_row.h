@@ -5,7 +5,7 @@
 #include "dataset.h"
 #include "draw.h"
 #include "map.h"
-#include "metrics.h"
+#include "roomseg/roomseg.h"
 #include "tool_error.h"
 
 enum { SHEET_MAP, SHEET_TRUTH, SHEET_DEFAULT, SHEET_PAPER, SHEET_REFERENCE, SHEET_COLUMNS };
@@ -32,7 +32,8 @@ typedef struct sheet_row {
  * Fails iff: a file cannot be read, the truth has another size, the library refuses the map, no
  * cell is free, or memory runs out. Returns 0, or -1 with *error set and *out zeroed. */
 int sheet_row_make(const dataset_map *files, const char *reference, const map_options *options,
-                   int align, sheet_row *out, tool_error *error);
+                   const roomseg_config *by_default, const roomseg_config *by_paper,
+                   sheet_row *out, tool_error *error);
 
 void sheet_row_free(sheet_row *row);
 

@@ -113,8 +113,9 @@ static void tell_wall_figures(const explanation *e, FILE *page) {
         page_figure_end(page);
     }
     if (page_figure_begin(page, &e->album, "directions", "Histogram of directions")) {
-        fprintf(page, "Length of the lines by direction in degrees, modulo 90. The window of %u "
-                      "degrees that holds most has the mean direction %.2f&#176;.",
+        fprintf(page, "Length of the lines by direction in degrees, modulo 90. In the window of "
+                      "%u degrees that holds most of it the mean direction, in which long "
+                      "pieces count most, is %.2f&#176;.",
                 2 * RS_DIRECTION_HALF_WINDOW + 1, e->walls.angle / 100.0);
         page_figure_end(page);
     }

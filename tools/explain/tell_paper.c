@@ -116,11 +116,11 @@ static void tell_merging(const explanation *e, FILE *page, int *section) {
     page_section(page, section, "The connectivity graph, and what joins it");
     fprintf(page, "<p>Regions are the nodes, and %" PRIu32 " shared border%s the edges. Three "
                   "rules make rooms of them. A region without neighbour goes when it is smaller "
-                  "than A<sub>0</sub>, or than its share of the whole. One smaller than A<sub>0</sub> "
-                  "joins the neighbour with which it shares the longest border; those with the "
-                  "fewest neighbours come first. Then regions join whose border is longer than "
-                  "L<sub>0</sub>, which no door is: %" PRIu32 " at the start, the longest "
-                  "first.</p>\n",
+                  "than A<sub>0</sub>, or than its share of the whole. One smaller than "
+                  "A<sub>0</sub> joins the neighbour with which it shares the longest border; "
+                  "those with the fewest neighbours come first. Then regions join whose border is "
+                  "longer than L<sub>0</sub>, which no door is: %" PRIu32 " at the start, the "
+                  "longest first.</p>\n",
             n.touching, plural(n.touching), n.long_border);
     page_parameters_begin(page);
     page_area(page, "smallest_room_mm2 (A0)", c->smallest_room_mm2, cell_mm(e));

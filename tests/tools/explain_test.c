@@ -199,26 +199,30 @@ static void test_observation_survives_growing_capacities(void) {
     map_free(&m);
 }
 
-static void test_wall_cells_are_those_the_graph_counts(void) {
-    map m = make_flat();
-    roomseg_config config = roomseg_config_default();
-    observation o;
+/* Cells of long walls. */
+static uint64_t check_walls(const observation *o) {
+    size_t cells = (size_t)o->frame.width * o->frame.height;
     uint64_t crossings, counted = 0, marked = 0;
-    TEST_ASSERT_EQUAL_INT(0, observe_run(&m, &config, "flat", &o, &error));
-    size_t cells = (size_t)o.frame.width * o.frame.height;
     uint8_t *marks = calloc(cells, 1);
     TEST_ASSERT_NOT_NULL(marks);
-    TEST_ASSERT_EQUAL_INT(0, shared_walls_mark(&o, 20, marks, &crossings));
-    for (uint32_t e = 0; e < o.before.edge_count; e++) {
-        counted += o.before.edges[e].wall;
+    TEST_ASSERT_EQUAL_INT(0, shared_walls_mark(o, 20, marks, &crossings));
+    for (uint32_t e = 0; e < o->before.edge_count; e++) {
+        counted += o->before.edges[e].wall;
     }
     for (size_t i = 0; i < cells; i++) {
         marked += marks[i] == WALL_LONG;
     }
     TEST_ASSERT_EQUAL_UINT64(counted, crossings);
-    TEST_ASSERT_TRUE(crossings > 150);
-    TEST_ASSERT_TRUE(marked > 3 * 150);
     free(marks);
+    return marked;
+}
+
+static void test_wall_cells_are_those_the_graph_counts(void) {
+    map m = make_flat();
+    roomseg_config config = roomseg_config_default();
+    observation o;
+    TEST_ASSERT_EQUAL_INT(0, observe_run(&m, &config, "flat", &o, &error));
+    TEST_ASSERT_TRUE(check_walls(&o) > 3 * 150);
     observation_free(&o);
     map_free(&m);
 }
@@ -318,6 +322,37 @@ static void test_walls_have_the_angle_that_the_library_finds(void) {
         segmentation_free(&s);
         map_free(&m);
     }
+}
+
+/* ---- real maps ---- */
+
+static const char *benchmark; /* folder of them; NULL: not here */
+
+static void check_real_map(const char *name) {
+    char path[1024];
+    map m;
+    map_options options = {0, 0};
+    snprintf(path, sizeof path, "%s/%s", benchmark, name);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, map_load(path, &options, &m, &error), error.text);
+    for (int paper = 0; paper < 2; paper++) {
+        roomseg_config config = config_of(paper);
+        observation o;
+        TEST_ASSERT_EQUAL_INT(0, observe_run(&m, &config, path, &o, &error));
+        check_regions(&o);
+        if (!paper) {
+            check_walls(&o);
+        }
+        observation_free(&o);
+    }
+    map_free(&m);
+}
+
+static void test_real_maps_are_observed(void) {
+    if (benchmark == NULL) {
+        TEST_IGNORE_MESSAGE("no folder with real maps was given");
+    }
+    check_real_map("neato/05.png");
+    check_real_map("furnished/09_lab_intel.png");
 }
 
 /* ---- files ---- */
@@ -532,7 +567,8 @@ static void test_names_are_no_markup(void) {
         strstr(text, "<h1>a&#60;b&#62;&#38;&#34;c\xC3\xA9\xEF\xBF\xBD.pgm</h1>"));
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+    benchmark = argc > 1 && dataset_is_folder(argv[1]) ? argv[1] : NULL;
     UNITY_BEGIN();
     RUN_TEST(test_default_profile_is_observed);
     RUN_TEST(test_paper_profile_is_observed);
@@ -543,6 +579,7 @@ int main(void) {
     RUN_TEST(test_rules_tell_what_joins);
     RUN_TEST(test_island_is_dropped_alone);
     RUN_TEST(test_walls_have_the_angle_that_the_library_finds);
+    RUN_TEST(test_real_maps_are_observed);
     RUN_TEST(test_default_profile_writes_all_files);
     RUN_TEST(test_paper_profile_writes_all_files);
     RUN_TEST(test_turned_map_is_explained_as_turned);

@@ -33,7 +33,7 @@ static const char style[] =
     "margin-bottom:.3rem}\n"
     ".pipeline li:not(:last-child)::after{content:\"\\2192\";position:absolute;right:-1.45rem;"
     "top:2.2rem;font-size:1.2rem;color:var(--mark)}\n"
-    "table{border-collapse:collapse;font-size:.9rem}\n"
+    "table{border-collapse:collapse;font-size:.9rem;margin:.8rem 0}\n"
     "th,td{border-bottom:1px solid var(--line);padding:.2rem .8rem .2rem 0;text-align:left}\n"
     "td.number,th.number{text-align:right}\n"
     ".swatch{display:inline-block;width:.85em;height:.85em;border-radius:2px;"

@@ -40,8 +40,10 @@ static inline uint32_t rs_cell_y(uint32_t cell)
 }
 
 /* The progress hook with its bookkeeping. The hook must be called at least once in
- * RS_TICK_VISITS visits of a cell. */
+ * RS_TICK_VISITS visits of a cell. Tests that cancel at every call lower it. */
+#ifndef RS_TICK_VISITS
 #define RS_TICK_VISITS 65536u
+#endif
 
 typedef struct rs_ticker {
     roomseg_progress_fn hook; /* may be NULL */

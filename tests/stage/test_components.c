@@ -230,11 +230,29 @@ static void test_cancelling_while_an_island_is_cleared(void)
     free_scratch(&scratch);
 }
 
+/* What touches the edge of the buffer may go on beyond it, small as it looks. */
+static void test_at_the_edge_they_stay(void)
+{
+    rs_ticker ticker = {0};
+    const rs_component_limits limits = {100, 100, true};
+    prepare(6, 4);
+    memset(cells, 1, ROOMSEG_PLAN_CELLS(6, 4));
+    cells[2 * frame.stride] = 0;         /* the border's first column */
+    cells[3 * frame.stride + 4] = 0;     /* inside */
+    rs_component_scratch scratch = make_scratch();
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, rs_components_clear_small(&frame, limits, cells, &scratch,
+                                                                &ticker));
+    free_scratch(&scratch);
+    TEST_ASSERT_EQUAL_UINT8(0, cells[2 * frame.stride]);
+    TEST_ASSERT_EQUAL_UINT8(1, cells[3 * frame.stride + 4]);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_below_the_mean);
     RUN_TEST(test_equal_ones_stay);
+    RUN_TEST(test_at_the_edge_they_stay);
     RUN_TEST(test_one_component_stays);
     RUN_TEST(test_nothing_free);
     RUN_TEST(test_random_maps);

@@ -92,7 +92,7 @@ static edge_style opening_style(const void *user, uint32_t edge) {
     const rs_edge *opening = &e->o.before.edges[edge];
     double cells = 2.0 * opening->saddle * RS_DISTANCE_UNIT_MM / cell_mm(e);
     double px = STROKE_SHARE * view_px(&e->staged, cells);
-    edge_style style = {0, rule_paint(e->joins[edge]), 0};
+    edge_style style = {0, rule_paint(e->joins[edge])};
     if (opening->saddle > 0) {
         style.thickness = fmin(fmax(px, STROKE_MIN_PX), STROKE_MAX_PX);
     }

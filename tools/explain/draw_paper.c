@@ -103,7 +103,7 @@ static edge_style border_style(const void *user, uint32_t edge) {
     uint32_t border = u->graph->edges[edge].border;
     uint32_t longest = u->e->config.longest_border_mm / cell_mm(u->e);
     double px = STROKE_SHARE * view_px(&u->e->staged, border);
-    edge_style style = {0, border > longest ? PAINT_SIGNAL : PAINT_SECOND, 0};
+    edge_style style = {0, border > longest ? PAINT_SIGNAL : PAINT_SECOND};
     if (border > 0) {
         style.thickness = fmin(fmax(px, STROKE_MIN_PX), STROKE_MAX_PX);
     }

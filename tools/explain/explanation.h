@@ -51,8 +51,8 @@ int explanation_make(const char *map_path, const map_options *options,
 
 void explanation_free(explanation *e);
 
-/* Draws what every cell looks like into a canvas of the stages' crop; user of `paint` is the
- * explanation or what begins with it. Returns 0, or -1 when memory runs out. */
+/* Paints every cell of the stages' crop into a new canvas; user: for `paint`.
+ * Returns 0, or -1 when memory runs out. */
 int draw_staged(const explanation *e, cell_paint paint, const void *user, canvas *out);
 
 /* The same for the album, without anything on top. */

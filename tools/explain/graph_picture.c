@@ -10,7 +10,6 @@
 #define DOT_MAX_SHARE 0.02 /* of the picture's long side */
 #define HALO_PX 1.4
 #define HALO_FROM_PX 2.5 /* smaller dots have none: there are many, and they stand close */
-#define DASH_PX 7.0
 
 typedef struct point {
     double x, y;
@@ -27,16 +26,6 @@ static point node_of(const observation *o, const rs_graph *graph, const view *v,
     return p;
 }
 
-static void draw_dashes(canvas *c, point a, point b, double radius, color paint) {
-    double length = hypot(b.x - a.x, b.y - a.y);
-    for (double at = 0; at < length; at += 2 * DASH_PX) {
-        double end = fmin(at + DASH_PX, length);
-        draw_line(c, a.x + (b.x - a.x) * at / length, a.y + (b.y - a.y) * at / length,
-                  a.x + (b.x - a.x) * end / length, a.y + (b.y - a.y) * end / length, radius,
-                  paint);
-    }
-}
-
 static void draw_edge(const observation *o, const rs_graph *graph, const view *v, uint32_t e,
                       edge_style style, canvas *c) {
     const rs_edge *edge = &graph->edges[e];
@@ -44,10 +33,6 @@ static void draw_edge(const observation *o, const rs_graph *graph, const view *v
     point b = node_of(o, graph, v, end_of(o, graph, edge->b));
     point door = {picture_x(&o->frame, v, edge->x), picture_y(&o->frame, v, edge->y)};
     double radius = style.thickness / 2;
-    if (style.dashed) {
-        draw_dashes(c, a, b, radius, style.paint);
-        return;
-    }
     draw_line(c, a.x, a.y, door.x, door.y, radius + HALO_PX, PAINT_HALO);
     draw_line(c, door.x, door.y, b.x, b.y, radius + HALO_PX, PAINT_HALO);
     draw_line(c, a.x, a.y, door.x, door.y, radius, style.paint);

@@ -9,7 +9,6 @@
 typedef struct edge_style {
     double thickness; /* [px], 0: not drawn */
     color paint;
-    int dashed;
 } edge_style;
 
 typedef edge_style (*edge_look)(const void *user, uint32_t edge);

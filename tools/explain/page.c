@@ -37,8 +37,7 @@ static const char style[] =
     "th,td{border-bottom:1px solid var(--line);padding:.2rem .8rem .2rem 0;text-align:left}\n"
     "td.number,th.number{text-align:right}\n"
     ".swatch{display:inline-block;width:.85em;height:.85em;border-radius:2px;"
-    "border:1px solid var(--line);vertical-align:-.08em;margin-right:.25em}\n"
-    ".wide{overflow-x:auto}\n";
+    "border:1px solid var(--line);vertical-align:-.08em;margin-right:.25em}\n";
 
 void page_begin(FILE *page, const char *title) {
     fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -11,13 +11,9 @@
  * in its error flag. */
 int tell_page(const explanation *e, FILE *page);
 
-/* Its parts in order; *section counts. The one with a result returns as tell_page. */
-void tell_start(const explanation *e, FILE *page);
-void tell_walls(const explanation *e, FILE *page, int *section);
-int tell_threshold(const explanation *e, FILE *page, int *section);
+/* The part that is the profile's own; *section counts the headings. */
 void tell_default(const explanation *e, FILE *page, int *section);
 void tell_paper(const explanation *e, FILE *page, int *section);
-void tell_result(const explanation *e, FILE *page, int *section);
 
 /* Area of so many cells [m2]. */
 double area_m2(const explanation *e, uint64_t cells);

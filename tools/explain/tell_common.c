@@ -1,4 +1,4 @@
-/* The page's beginning, the walls, the threshold, the result: what both profiles share. */
+/* The page, with what both profiles share: beginning, walls, threshold, result. */
 #include <inttypes.h>
 #include <stddef.h>
 #include <string.h>
@@ -67,7 +67,7 @@ static const char *file_name(const char *path) {
     return slash != NULL && slash[1] != '\0' ? slash + 1 : path;
 }
 
-void tell_start(const explanation *e, FILE *page) {
+static void tell_start(const explanation *e, FILE *page) {
     cell_counts n = count_cells(e);
     page_begin(page, file_name(e->name));
     fprintf(page, "<p>How roomseg %d.%d.%d cuts this map into rooms, step by step, with the "
@@ -126,7 +126,7 @@ static void tell_wall_figures(const explanation *e, FILE *page) {
     page_figures_end(page);
 }
 
-void tell_walls(const explanation *e, FILE *page, int *section) {
+static void tell_walls(const explanation *e, FILE *page, int *section) {
     if (album_find(&e->album, "lines") == NULL) {
         return;
     }
@@ -187,7 +187,7 @@ static void tell_small_paper(const explanation *e, FILE *page, const change *sma
     }
 }
 
-int tell_threshold(const explanation *e, FILE *page, int *section) {
+static int tell_threshold(const explanation *e, FILE *page, int *section) {
     change small, parts;
     if (count_change(&e->o, 1, &small) != 0 || count_change(&e->o, 0, &parts) != 0) {
         return -1;
@@ -241,7 +241,7 @@ static void tell_score(const explanation *e, FILE *page) {
             (unsigned)e->score.without_specks.rooms_true);
 }
 
-void tell_result(const explanation *e, FILE *page, int *section) {
+static void tell_result(const explanation *e, FILE *page, int *section) {
     const roomseg_result *r = &e->s.result;
     uint64_t cells = 0;
     for (uint32_t i = 0; i < r->room_count; i++) {

@@ -30,26 +30,20 @@ static void plan_find(const roomseg_config *config, uint32_t width, uint32_t hei
     rs_plan_place(rows, FIND_COUNT, plan);
 }
 
-static size_t profile_size(const roomseg_config *config, uint32_t width, uint32_t height,
-                           uint32_t resolution_mm)
-{
-    rs_plan plan;
-
-    config->profile->plan(config, width, height, resolution_mm, &plan);
-    return plan.size;
-}
-
 static void plan_turn(const roomseg_config *config, uint32_t width, uint32_t height,
                       uint32_t resolution_mm, rs_plan *plan)
 {
     uint32_t wide = (uint32_t)ROOMSEG_PLAN_TURNED_WIDTH(width, height);
     uint32_t high = (uint32_t)ROOMSEG_PLAN_TURNED_HEIGHT(width, height);
     size_t small = small_cells(config, resolution_mm);
-    size_t inner = profile_size(config, wide, high, resolution_mm);
-    const rs_plan_row rows[TURN_COUNT] = {ROOMSEG_PLAN_TURN_TABLE(
-        ROW, , width, height, wide, high, small, config->max_rooms, inner)};
 
-    rs_plan_place(rows, TURN_COUNT, plan);
+    config->profile->plan(config, wide, high, resolution_mm, plan); /* for its size alone */
+    {
+        const rs_plan_row rows[TURN_COUNT] = {ROOMSEG_PLAN_TURN_TABLE(
+            ROW, , width, height, wide, high, small, config->max_rooms, plan->size)};
+
+        rs_plan_place(rows, TURN_COUNT, plan);
+    }
 }
 
 int rs_align_plan(const roomseg_config *config, uint32_t width, uint32_t height,

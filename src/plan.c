@@ -15,16 +15,18 @@ static size_t alive_in(const rs_plan_row *rows, uint32_t count, int stage)
 
 /* The most bytes that rows above row i, of the same end of the arena and alive with it, reach
  * from that end. */
-static size_t reach_above(const rs_plan_row *rows, const size_t *reach, uint32_t i, int last)
+static size_t reach_above(const rs_plan_row *rows, const rs_plan *plan, uint32_t i, int last)
 {
     size_t most = 0;
 
     for (uint32_t j = 0; j < i; j++) {
         bool same_end = (rows[j].last == last) == (rows[i].last == last);
 
-        if (same_end && rows[j].first <= rows[i].last && rows[i].first <= rows[j].last &&
-            reach[j] > most) {
-            most = reach[j];
+        if (same_end && rows[j].first <= rows[i].last && rows[i].first <= rows[j].last) {
+            size_t reach = rows[j].last == last
+                               ? plan->size - plan->offset[j]
+                               : plan->offset[j] + ROOMSEG_PLAN_ALIGN(rows[j].bytes);
+            most = ROOMSEG_PLAN_MAX(most, reach);
         }
     }
     return most;
@@ -32,7 +34,6 @@ static size_t reach_above(const rs_plan_row *rows, const size_t *reach, uint32_t
 
 void rs_plan_place(const rs_plan_row *rows, uint32_t count, rs_plan *plan)
 {
-    size_t reach[RS_PLAN_MAX_BUFFERS];
     int last = 0;
 
     plan->size = 0;
@@ -41,10 +42,11 @@ void rs_plan_place(const rs_plan_row *rows, uint32_t count, rs_plan *plan)
         last = ROOMSEG_PLAN_MAX(last, rows[i].last);
     }
     for (uint32_t i = 0; i < count; i++) {
-        size_t before = reach_above(rows, reach, i, last);
+        size_t before = reach_above(rows, plan, i, last);
 
-        reach[i] = before + ROOMSEG_PLAN_ALIGN(rows[i].bytes);
-        plan->offset[i] = rows[i].last == last ? plan->size - reach[i] : before;
+        plan->offset[i] = rows[i].last == last
+                              ? plan->size - before - ROOMSEG_PLAN_ALIGN(rows[i].bytes)
+                              : before;
     }
 }
 

@@ -85,6 +85,8 @@ static int run_map(const test_map *map, unsigned variant)
     report_write(map, variants[variant], (const uint16_t *)(const void *)block, &result);
     text_string("#");
     text_field("stack", (uint32_t)stack);
+    text_field("usual", (uint32_t)ROOMSEG_ARENA_SIZE_USUAL(result.crop_width, result.crop_height,
+                                                           map->resolution_mm));
     stages_write();
     return 0;
 }

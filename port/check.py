@@ -81,8 +81,8 @@ def version():
 
 def manifests():
     """All manifests name the version of the header."""
-    for file in ("platformio/library.json", "arduino/library.properties", "vcpkg/roomseg/vcpkg.json",
-                 "esp-idf/roomseg/idf_component.yml"):
+    for file in ("platformio/library.json", "arduino/library.properties",
+                 "vcpkg/roomseg/vcpkg.json", "esp-idf/roomseg/idf_component.yml"):
         found = re.search(r'version"?\s*[=:]\s*"?([\d.]+)', (PORT / file).read_text())
         if not found or found[1] != version():
             raise Failure(f"port/{file} is not of version {version()}")

@@ -3,7 +3,8 @@
 tests/embedded/limits.txt. What exceeds a limit by more than 2 percent fails.
 
     tools/budget.py             measures and compares
-    tools/budget.py --update    writes what was measured as the new limits
+    tools/budget.py --update    writes what was measured as the new limits, and into the tables
+                                of docs/embedded.md and README.md
 
 tools/setup.sh embedded installs what it needs. Exit: 0 within the limits, 1 not."""
 
@@ -22,11 +23,13 @@ from callgraph import CallGraph, GraphError  # noqa: E402
 from emulate import Build, Failure, Host, command  # noqa: E402
 from targets import HOME_TARGET, TARGETS  # noqa: E402
 
+DOCS = (ROOT / "docs" / "embedded.md", ROOT / "README.md")
 LIMITS = ROOT / "tests" / "embedded" / "limits.txt"
 TOLERANCE = 1.02
 
 SIZE_BUILDS = (("m0plus", "-Os"), ("m4", "-Os"), ("m4", "-O2"), ("m4-soft", "-Os"),
                ("m7", "-O2"), ("rv32", "-Os"))
+PATTERNS = ("open", "comb", "cells", "noise", "checker")
 SPEED_BUILDS = (("m7", "-O2"), ("m4", "-O2"), ("m0plus", "-O2"), ("rv32", "-O2"))
 ARCHIVES = ("m4-soft", "m0plus", "rv32")
 # Helpers for what the library must not do: floating point, 64-bit division, the heap, streams.
@@ -39,7 +42,7 @@ FORBIDDEN = re.compile(
 PROMISES = {"code m4 -Os default": 16384, "home in bytes": 512 * 1024}
 PROMISE_STACK = re.compile(r"stack \w+ \S+ \S+ default$")  # on every target
 STACK_BYTES = 1024
-PROMISE_ARENA = {"arena": 4.0, "usual": 2.5}  # bytes a cell of homes: default, usual capacities
+PROMISE_ARENA = {"default": 4.0, "usual": 2.5}  # bytes a cell of homes: default, usual capacities
 PROMISE_DATA = 0  # bytes of .data and .bss, everywhere
 PROMISE_PAPER = 12288  # code bytes of the paper profile beside the default one
 PROMISE_M7 = {"neato": 500, "worst": 1500}  # executed instructions a cell
@@ -51,6 +54,7 @@ class Budget:
     def __init__(self):
         self.measured = {}
         self.broken = []
+        self.tables = {}
 
     def note(self, key, value):
         self.measured[key] = value
@@ -62,11 +66,16 @@ class Budget:
         if not holds:
             self.broken.append(text)
 
+    def table(self, key, title, head, rows):
+        """Prints a table, and keeps it under the name that it has in the documentation."""
+        lines = [head, ["---"] * len(head), *rows]
+        text = "\n".join(f"| {' | '.join(map(written, line))} |" for line in lines)
+        self.tables[key] = text
+        print(f"\n{title}\n\n{text}", flush=True)
 
-def table(title, head, rows):
-    print(f"\n{title}\n\n| {' | '.join(head)} |\n|{'---|' * len(head)}")
-    for row in rows:
-        print(f"| {' | '.join(str(cell) for cell in row)} |", flush=True)
+
+def written(cell):
+    return f"{cell:,}" if isinstance(cell, int) else str(cell)
 
 
 def kinds():
@@ -92,7 +101,7 @@ def section_sizes(target, program):
 
 
 def measure_sizes(host, budget):
-    rows = []
+    rows, short = [], []
     for name, level in SIZE_BUILDS:
         target = TARGETS[name]
         build = Build(host, target, level, flags="-fcallgraph-info=su")
@@ -112,13 +121,18 @@ def measure_sizes(host, budget):
                 budget.promise(name != "m4" or level != "-Os" or
                                code - default_code <= PROMISE_PAPER,
                                f"paper profile: {code - default_code} bytes more code")
-            rows.append((name, level, kind, size["text"], size["rodata"], code, size["data"],
-                         size["bss"], stack))
+            rows.append((f"`{name}`", level, kind, size["text"], size["rodata"], code,
+                         size["data"], size["bss"], stack))
             if (name, level) == ("m4", "-Os"):
                 print(f"deepest on {name} {level} {kind}: {' > '.join(path)}")
-    table("Code and stack of a program that calls roomseg_run once, in bytes; stack by call "
-          "graph, without the progress hook",
-          ("Target", "", "", ".text", ".rodata", "code", ".data", ".bss", "stack"), rows)
+                short.append((kind, code, stack))
+    budget.table("code", "Code and stack of a program that calls roomseg_run once, in bytes; "
+                 "stack by call graph, without the progress hook",
+                 ("Target", "", "", ".text", ".rodata", "both", ".data", ".bss", "stack"), rows)
+    budget.table("short", "The same of the Cortex-M4 at -Os, short",
+                 ("Cortex-M4, gcc -Os", *(kind for kind, _, _ in short)),
+                 (("Code and constants [bytes]", *(code for _, code, _ in short)),
+                  ("Stack, by call graph [bytes]", *(stack for _, _, stack in short))))
 
 
 def check_archives(host, budget):
@@ -172,42 +186,6 @@ def number_of(text, name):
     return int(words[words.index(name) + 1])
 
 
-def measure_speed(host, budget):
-    plugin = build_plugin()
-    patterns = ("open", "comb", "cells", "noise", "checker")
-    rows, totals = [], []
-    for name, level in SPEED_BUILDS:
-        counts, runs = count_instructions(Build(host, TARGETS[name], level), plugin)
-        note_stack(name, level, runs, budget)
-        if any(text != host.runs[key][0] for key, (text, _) in runs.items()):
-            raise Failure(f"{name} {level}: other labels or rooms than here")
-        shown = [m for m, kind in counts if kind == "default" and
-                 (m == "home" or m in patterns or m.startswith(("neato", "furnished_")))]
-        worst = 0
-        for m in shown:
-            cells = number_of(runs[(m, "default")][0], "cells")
-            stages = counts[(m, "default")]
-            total = round(sum(stages.values()) / cells)
-            budget.note(f"instructions {name} {level} {m} default", total)
-            rows.append((name, m, total, *(round(count / cells) for count in stages.values())))
-            worst = max(worst, total)
-            if name == "m7" and m.startswith("neato"):
-                budget.promise(total <= PROMISE_M7["neato"],
-                               f"{m} on {name}: {total} instructions a cell, promised "
-                               f"{PROMISE_M7['neato']}")
-        budget.promise(name != "m7" or worst <= PROMISE_M7["worst"],
-                       f"worst on {name}: {worst} instructions a cell, promised "
-                       f"{PROMISE_M7['worst']}")
-        for kind in kinds():
-            cells = number_of(runs[("home", kind)][0], "cells")
-            total = round(sum(counts[("home", kind)].values()) / cells)
-            budget.note(f"instructions {name} {level} home {kind}", total)
-            totals.append((name, kind, total))
-    table("Executed instructions a cell of the crop at -O2, default profile",
-          ("Target", "Map", "all", *stages), rows)
-    table("The home, all kinds", ("Target", "", "instructions a cell"), totals)
-
-
 def note_stack(name, level, runs, budget):
     """The stack that was written, against the bound if there is one of this build."""
     for kind in kinds():
@@ -223,27 +201,81 @@ def measure_memory(host, budget):
     runs = emulate.split_runs(Build(host, TARGETS["m4"], "-Os").run())
     note_stack("m4", "-Os", runs, budget)
     rows = []
-    for (name, kind), (text, values) in runs.items():
-        cells, arena = number_of(text, "cells"), number_of(text, "arena")
-        if name in ("home", "large_furnished") or name.startswith(("neato", "furnished_")):
-            usual = int(values["usual"])
-            rows.append((name, kind, cells, arena, f"{arena / cells:.2f}",
-                         f"{usual / cells:.2f}" if kind == "default" else "", values["stack"]))
+    for name in dict.fromkeys(name for name, _ in runs):
+        if name not in ("home", "large_furnished") and \
+                not name.startswith(("neato", "furnished_")):
+            continue
+        cells = number_of(runs[(name, "default")][0], "cells")
+        arenas = {kind: number_of(runs[(name, kind)][0], "arena") for kind in kinds()}
+        for kind, arena in arenas.items():
             budget.note(f"arena {name} {kind}", arena)
-            if kind == "default" and (name == "home" or name.startswith("neato")):
-                for what, number in (("arena", arena), ("usual", usual)):
-                    budget.promise(number <= PROMISE_ARENA[what] * cells,
-                                   f"{what} {name}: {number / cells:.2f} bytes a cell, "
-                                   f"promised {PROMISE_ARENA[what]}")
-    table("Arena, and the stack that was written on m4 -Os, in bytes",
-          ("Map", "", "cells of the crop", "arena", "a cell", "a cell, usual capacities",
-           "stack painted"), rows)
+        arenas["usual"] = int(runs[(name, "default")][1]["usual"])
+        if name == "home" or name.startswith("neato"):
+            for kind, most in PROMISE_ARENA.items():
+                budget.promise(arenas[kind] <= most * cells,
+                               f"arena {kind} {name}: {arenas[kind] / cells:.2f} bytes a cell, "
+                               f"promised {most}")
+        rows.append((name, cells, *(f"{arenas[kind]:,} ({arenas[kind] / cells:.2f})"
+                                    for kind in ("default", "usual", "aligned", "paper"))))
+    budget.table("arena", "Arena in bytes, and bytes a cell of the crop",
+                 ("Map", "cells of the crop", "default", "usual capacities", "aligned", "paper"),
+                 rows)
     numbers = emulate.split_runs(Build(host, HOME_TARGET).run("home"))[("home", "default")][1]
-    parts = ("map", "labels", "arena", "stack")
-    total = sum(int(numbers[part]) for part in parts)
-    budget.note("home in bytes", total)
-    table("The home of 400 x 300 cells in a Cortex-M4 with 512 KB, at most 256 regions, in bytes",
-          (*parts, "all"), [[*(numbers[part] for part in parts), total]])
+    parts = [int(numbers[part]) for part in ("map", "labels", "arena", "stack")]
+    budget.note("home in bytes", sum(parts))
+    budget.table("home", "The home of 400 x 300 cells in a Cortex-M4 with 512 KB, in bytes",
+                 ("map, 1 byte a cell", "labels, 2 bytes a cell", "arena, 256 regions, 48 rooms",
+                  "stack", "together"), [(*parts, f"{sum(parts):,} of {512 * 1024:,}")])
+
+
+def shown_maps(runs):
+    """Maps for the tables, and those whose stages are shown: a home, the furnished set's map of
+    median size, the worst case."""
+    real = sorted({name for name, _ in runs if name.startswith(("neato", "furnished_"))})
+    staged = [name for name in ("neato_10", "furnished_13_office_b") if name in real] or ["home"]
+    return ["home", *PATTERNS, *real], [*staged, "checker"]
+
+
+def measure_target(name, level, counts, runs, budget):
+    """{map: (all, {stage: count})} of the default profile, {kind: all} of the home; a cell."""
+    per_map, per_kind = {}, {}
+    for m in shown_maps(runs)[0]:
+        cells = number_of(runs[(m, "default")][0], "cells")
+        stages = counts[(m, "default")]
+        total = round(sum(stages.values()) / cells)
+        budget.note(f"instructions {name} {level} {m} default", total)
+        per_map[m] = (total, {stage: round(count / cells) for stage, count in stages.items()})
+    for kind in kinds():
+        cells = number_of(runs[("home", kind)][0], "cells")
+        per_kind[kind] = round(sum(counts[("home", kind)].values()) / cells)
+        budget.note(f"instructions {name} {level} home {kind}", per_kind[kind])
+    if name == "m7":
+        for m, (total, _) in per_map.items():
+            promised = PROMISE_M7["neato" if m.startswith("neato") else "worst"]
+            budget.promise(total <= promised, f"{m} on {name}: {total} instructions a cell, "
+                           f"promised {promised}")
+    return per_map, per_kind
+
+
+def measure_speed(host, budget):
+    plugin = build_plugin()
+    by_map, by_kind = {}, {}
+    for name, level in SPEED_BUILDS:
+        counts, runs = count_instructions(Build(host, TARGETS[name], level), plugin)
+        note_stack(name, level, runs, budget)
+        if any(text != host.runs[key][0] for key, (text, _) in runs.items()):
+            raise Failure(f"{name} {level}: other labels or rooms than here")
+        by_map[name], by_kind[name] = measure_target(name, level, counts, runs, budget)
+    maps, staged = shown_maps(host.runs)
+    names = [f"`{name}`" for name in by_map]
+    budget.table("instructions", "Executed instructions a cell of the crop at -O2, default profile",
+                 ("Map", *names), [(m, *(by_map[name][m][0] for name in by_map)) for m in maps])
+    stages = list(by_map["m7"]["home"][1])
+    budget.table("stages", "The same by stage", ("Map", "", "all", *stages),
+                 [(m, f"`{name}`", by_map[name][m][0], *(by_map[name][m][1][s] for s in stages))
+                  for m in staged for name in by_map])
+    budget.table("kinds", "The home in each way", ("", *kinds()),
+                 [(f"`{name}`", *by_kind[name].values()) for name in by_kind])
 
 
 def read_limits():
@@ -259,6 +291,20 @@ def write_limits(budget):
     lines = [f"{key} {value}" for key, value in sorted(limits.items())]
     LIMITS.write_text("# Written by tools/budget.py --update: bytes; instructions a cell.\n" +
                       "\n".join(lines) + "\n")
+
+
+def write_tables(budget, dataset):
+    """Puts the tables where the documentation has them, between two comments."""
+    if not dataset:
+        print("the documentation stays as it is: its tables need the data set (--dataset)")
+        return
+    for file in DOCS:
+        text = file.read_text(encoding="utf-8")
+        for key, table in budget.tables.items():
+            block = rf"(<!-- {key}: tools/budget\.py --update -->\n).*?(<!-- end of {key} -->)"
+            text = re.sub(block, lambda found, table=table: f"{found[1]}{table}\n{found[2]}", text,
+                          flags=re.S)
+        file.write_text(text, encoding="utf-8")
 
 
 def main():
@@ -286,6 +332,7 @@ def main():
     print()
     if options.update:
         write_limits(budget)
+        write_tables(budget, options.dataset)
         over = []
     for line in budget.broken:
         print(f"PROMISE BROKEN  {line}")

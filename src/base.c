@@ -36,7 +36,7 @@ bool rs_ticker_call(rs_ticker *ticker, uint32_t done, uint32_t total)
 uint32_t rs_isqrt(uint32_t n)
 {
     uint32_t root = 0;
-    uint32_t bit = 1u << 30;
+    uint32_t bit = n < 1u << 16 ? 1u << 14 : 1u << 30;
 
     while (bit > n) {
         bit >>= 2;

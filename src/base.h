@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "roomseg/roomseg.h"
 
@@ -84,6 +85,26 @@ static inline uint32_t rs_min_u32(uint32_t a, uint32_t b)
 static inline uint32_t rs_max_u32(uint32_t a, uint32_t b)
 {
     return a > b ? a : b;
+}
+
+/* The first of the cells x..end that is not `value`; end when there is none. x <= end. Reads a
+ * machine word at a time. */
+static inline uint32_t rs_skip(const uint8_t *cells, uint32_t x, uint32_t end, uint8_t value)
+{
+    const size_t pattern = SIZE_MAX / 255u * value;
+    size_t word;
+
+    while (end - x >= sizeof word) {
+        memcpy(&word, cells + x, sizeof word);
+        if (word != pattern) {
+            break;
+        }
+        x += (uint32_t)sizeof word;
+    }
+    while (x < end && cells[x] == value) {
+        x++;
+    }
+    return x;
 }
 
 /* floor(sqrt(n)), exact for every 32-bit n. */

@@ -71,23 +71,18 @@ static uint16_t unite(rs_component *components, uint16_t a, uint16_t b)
 
 static uint32_t find_runs(const uint8_t *row, uint32_t width, uint8_t value, rs_run *runs)
 {
+    uint8_t other = value == 0u;
     uint32_t count = 0;
-    uint32_t x = 0;
+    uint32_t x = rs_skip(row, 0, width, other);
 
-    for (;;) {
-        while (x < width && row[x] != value) {
-            x++;
-        }
-        if (x == width) {
-            return count;
-        }
+    while (x < width) {
         runs[count].first = (uint16_t)x;
-        while (x < width && row[x] == value) {
-            x++;
-        }
+        x = rs_skip(row, x, width, value);
         runs[count].last = (uint16_t)(x - 1u);
         count++;
+        x = rs_skip(row, x, width, other);
     }
+    return count;
 }
 
 /* The run as a component of its own. */

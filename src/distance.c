@@ -32,34 +32,57 @@ static int vertical_distances(const rs_frame *frame, uint8_t *surface, rs_ticker
     return ROOMSEG_OK;
 }
 
-/* First column from which on parabola b lies below a; b stands to the right of a. May be 0
- * or any column, also one beyond the row. Solves (x - a.x)^2 + a.height >
- * (x - b.x)^2 + b.height for x. With gap < 2^16 and heights <= 255^2 all terms fit. */
-static uint32_t crossing(const rs_parabola *a, const rs_parabola *b)
+/* First column, at least 0, from which on parabola b lies below a: (x - ax)^2 + ah >
+ * (x - bx)^2 + bh, ax < bx. With bx - ax < 2^16 and heights <= 255^2 all terms fit. */
+static uint32_t cross(uint32_t ax, uint32_t ah, uint32_t bx, uint32_t bh)
 {
-    uint32_t gap = (uint32_t)b->x - a->x;
-    uint32_t forward = gap * gap + b->height;
+    uint32_t gap = bx - ax;
+    uint32_t forward = gap * gap + bh;
     uint32_t back;
 
-    if (forward >= a->height) {
-        forward -= a->height;
-        /* Most parabolas stand side by side: no division for them. */
-        return a->x + (gap == 1u ? forward / 2u : forward / (2u * gap)) + 1u;
+    if (forward >= ah) {
+        forward -= ah;
+        /* Most candidates stand side by side: no division for them. */
+        return ax + (gap == 1u ? forward / 2u : forward / (2u * gap)) + 1u;
     }
-    back = a->height - forward + 2u * gap - 1u;
+    back = ah - forward + 2u * gap - 1u;
     back = gap == 1u ? back / 2u : back / (2u * gap); /* rounded up */
-    return back > a->x ? 0u : a->x + 1u - back;
+    return back > ax ? 0u : ax + 1u - back;
 }
 
-/* Adds column x to the envelope, dropping what it hides. Returns the new count. */
-static uint32_t push_parabola(rs_parabola *envelope, uint32_t count, uint32_t x,
-                              uint32_t vertical)
+/* The same for basins; b stands to the right of a. The difference of the two never falls from
+ * left to right, so they cross once. */
+static uint32_t crossing(const rs_basin *a, const rs_basin *b)
 {
-    rs_parabola fresh;
+    uint32_t gap = (uint32_t)b->first - a->last;
+    uint32_t reach;
+
+    if (a->height + gap * gap <= b->height) {
+        /* a reaches below b's flat part, but perhaps not to its end. */
+        reach = (uint32_t)b->last - a->last;
+        return (uint32_t)b->height - a->height < reach * reach
+                   ? a->last + rs_isqrt((uint32_t)b->height - a->height) + 1u
+                   : cross(a->last, a->height, b->last, b->height);
+    }
+    if (b->height + gap * gap < a->height) {
+        reach = (uint32_t)b->first - a->first;
+        return (uint32_t)a->height - b->height <= reach * reach
+                   ? b->first - rs_isqrt((uint32_t)a->height - b->height - 1u)
+                   : cross(a->first, a->height, b->first, b->height);
+    }
+    return cross(a->last, a->height, b->first, b->height);
+}
+
+/* Adds the columns first..last to the envelope, dropping what they hide. Returns the new count. */
+static uint32_t push_basin(rs_basin *envelope, uint32_t count, uint32_t first, uint32_t last,
+                           uint32_t vertical)
+{
+    rs_basin fresh;
     uint32_t from = 0;
 
-    fresh.x = (uint16_t)x;
-    fresh.height = vertical * vertical;
+    fresh.first = (uint16_t)first;
+    fresh.last = (uint16_t)last;
+    fresh.height = (uint16_t)(vertical * vertical);
     while (count > 0u) {
         from = crossing(&envelope[count - 1u], &fresh);
         if (from > envelope[count - 1u].from) {
@@ -72,35 +95,66 @@ static uint32_t push_parabola(rs_parabola *envelope, uint32_t count, uint32_t x,
     return count + 1u;
 }
 
-/* Replaces the vertical distances of the free run first..last by Euclidean ones; the cells
- * before and behind it are obstacles. */
-static void transform_run(uint8_t *row, uint32_t first, uint32_t last,
-                          const rs_distance_scratch *scratch)
+/* The level of a squared distance, starting from one that is near: neighbours differ by few. */
+static uint32_t follow_level(const uint32_t *least, uint32_t level, uint32_t squared)
 {
-    rs_parabola *envelope = scratch->envelope;
-    const uint32_t *least = scratch->least;
-    uint32_t count = 0, k = 0, level = 1;
-
-    for (uint32_t x = first - 1u; x <= last + 1u; x++) {
-        count = push_parabola(envelope, count, x, row[x]);
+    while (level < RS_DISTANCE_MAX && squared >= least[level + 1u]) {
+        level++;
     }
-    for (uint32_t x = first; x <= last; x++) {
-        uint32_t offset, squared;
+    while (level > 1u && squared < least[level]) {
+        level--;
+    }
+    return level;
+}
 
-        while (k + 1u < count && envelope[k + 1u].from <= x) {
-            k++;
-        }
-        offset = x > envelope[k].x ? x - envelope[k].x : envelope[k].x - x;
-        squared = offset * offset + envelope[k].height;
-        /* Neighbours differ by a few levels at most, so the level is followed. */
-        while (level < RS_DISTANCE_MAX && squared >= least[level + 1u]) {
-            level++;
-        }
-        while (level > 1u && squared < least[level]) {
-            level--;
-        }
+/* Writes the levels of columns x..end - 1, where a basin is the lowest. */
+static uint32_t fill_basin(const rs_basin *basin, uint32_t x, uint32_t end, const uint32_t *least,
+                           uint32_t level, uint8_t *row)
+{
+    uint32_t height = basin->height;
+
+    for (; x < end && x < basin->first; x++) {
+        level = follow_level(least, level, (basin->first - x) * (basin->first - x) + height);
         row[x] = (uint8_t)level;
     }
+    if (x < end && x <= basin->last) {
+        uint32_t flat_end = rs_min_u32(end, basin->last + 1u);
+
+        level = follow_level(least, level, height);
+        memset(row + x, (int)level, flat_end - x);
+        x = flat_end;
+    }
+    for (; x < end; x++) {
+        level = follow_level(least, level, (x - basin->last) * (x - basin->last) + height);
+        row[x] = (uint8_t)level;
+    }
+    return level;
+}
+
+/* Replaces the vertical distances of the free run that begins at column `first` by Euclidean
+ * ones. Returns the column behind it, `end` at most; that one and the one before `first` are
+ * obstacles. */
+static uint32_t transform_run(uint8_t *row, uint32_t first, uint32_t end,
+                              const rs_distance_scratch *scratch)
+{
+    rs_basin *envelope = scratch->envelope;
+    uint32_t count = push_basin(envelope, 0, first - 1u, first - 1u, 0);
+    uint32_t level = 1, x = first;
+
+    while (row[x] != 0u) { /* the border ends it */
+        uint32_t next = rs_skip(row, x + 1u, end, row[x]);
+
+        count = push_basin(envelope, count, x, next - 1u, row[x]);
+        x = next;
+    }
+    count = push_basin(envelope, count, x, x, 0);
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t from = rs_max_u32(envelope[k].from, first);
+        uint32_t to = k + 1u < count ? rs_min_u32(envelope[k + 1u].from, x) : x;
+
+        level = fill_basin(&envelope[k], from, to, scratch->least, level, row);
+    }
+    return x;
 }
 
 /* least[level] = smallest squared distance [cells^2] of that level, rounded up. */
@@ -128,18 +182,10 @@ int rs_distance_run(const rs_frame *frame, uint32_t resolution_mm, uint8_t *surf
         if (rs_tick(ticker, frame->width, frame->height + y, 2u * frame->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
+        x = rs_skip(row, x, frame->width + 1u, 0);
         while (x <= frame->width) {
-            uint32_t first;
-            while (x <= frame->width && row[x] == 0u) {
-                x++;
-            }
-            first = x;
-            while (row[x] != 0u) { /* the border ends it */
-                x++;
-            }
-            if (x > first) {
-                transform_run(row, first, x - 1u, scratch);
-            }
+            x = transform_run(row, x, frame->width + 1u, scratch);
+            x = rs_skip(row, x, frame->width + 1u, 0);
         }
     }
     return status;

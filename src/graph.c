@@ -213,40 +213,119 @@ static bool measure_walls(const source *from, rs_graph_builder *builder, wall_sc
     return stored;
 }
 
-/* One row of labels; `below` is NULL behind the last one. */
-static bool read_row(const source *from, rs_graph_builder *builder, wall_scan *scan,
-                     const uint8_t *height, const uint16_t *row, const uint16_t *below,
-                     uint32_t y)
+/* A row of the crop; arrays by column. */
+typedef struct row_view {
+    const uint16_t *labels, *below; /* below: NULL behind the last row */
+    const uint8_t *heights, *cells; /* of the surface, of the grid */
+    uint32_t y, width;
+    uint32_t index; /* bordered index of its first cell */
+} row_view;
+
+/* The first of the cells x..end whose right and lower neighbours are not both labelled like cell
+ * x; end < width. Reads a machine word at a time. */
+static uint32_t skip_alike(const uint16_t *labels, const uint16_t *below, uint32_t x, uint32_t end)
 {
-    const rs_frame *frame = from->frame;
-    rs_region *regions = builder->graph->regions;
-    const uint8_t *cells =
-        from->grid->cells + (size_t)(frame->y + y) * from->grid->stride + frame->x;
-    uint32_t index = rs_frame_index(frame, 0, y);
+    enum { CELLS = sizeof(size_t) / sizeof(uint16_t) };
+    uint16_t here = labels[x];
+    const size_t pattern = SIZE_MAX / 0xFFFFu * here;
+    size_t right, lower;
 
-    for (uint32_t x = 0; x < frame->width; x++) {
-        uint16_t here = row[x];
-        uint16_t right = x + 1u < frame->width ? row[x + 1u] : 0u;
-        uint16_t lower = below != NULL ? below[x] : 0u;
+    while (end - x >= CELLS) {
+        memcpy(&right, labels + x + 1u, sizeof right);
+        memcpy(&lower, below + x, sizeof lower);
+        if (right != pattern || lower != pattern) {
+            break;
+        }
+        x += CELLS;
+    }
+    while (x < end && labels[x + 1u] == here && below[x] == here) {
+        x++;
+    }
+    return x;
+}
 
-        if (here == 0u || right == 0u || lower == 0u || x == 0u || y == 0u) {
-            measure_faces(from, regions, here, right, lower, x, y);
-            if (!measure_walls(from, builder, scan, here, right, lower, x, y)) {
-                return false;
+static uint8_t highest_of(const uint8_t *values, uint32_t count)
+{
+    uint8_t highest = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        highest = values[i] > highest ? values[i] : highest;
+    }
+    return highest;
+}
+
+/* Counts the cells x..end - 1 of a region. */
+static void add_run(const source *from, rs_region *region, const row_view *row, uint32_t x,
+                    uint32_t end)
+{
+    uint8_t highest = highest_of(row->heights + x, end - x);
+
+    if (highest_of(row->cells + x, end - x) >= from->occupied_min) {
+        for (; x < end; x++) {
+            if (row->cells[x] < from->occupied_min) {
+                rs_graph_add_cell(region, row->heights[x], row->index + x, x, row->y);
             }
         }
-        if (here == 0u) {
-            continue;
+        return;
+    }
+    rs_graph_add_cell(region, row->heights[x], row->index + x, x, row->y);
+    region->area += end - x - 1u;
+    if (highest > region->peak) {
+        while (row->heights[x] != highest) {
+            x++;
         }
-        if (cells[x] < from->occupied_min) {
-            rs_graph_add_cell(&regions[here], height[x], index + x, x, y);
-        }
-        if (right != here && right != 0u &&
-            !touch(builder, here, right, height[x], height[x + 1u], x, y)) {
+        region->peak = highest;
+        region->peak_x = (uint16_t)x;
+        region->peak_y = (uint16_t)row->y;
+    }
+}
+
+/* Counts and measures one cell, whatever lies beside and below it. */
+static bool read_cell(const source *from, rs_graph_builder *builder, wall_scan *scan,
+                      const row_view *row, uint32_t x)
+{
+    rs_region *regions = builder->graph->regions;
+    const uint8_t *height = row->heights + x;
+    uint16_t here = row->labels[x];
+    uint16_t right = x + 1u < row->width ? row->labels[x + 1u] : (uint16_t)0;
+    uint16_t lower = row->below != NULL ? row->below[x] : (uint16_t)0;
+
+    if (here == 0u || right == 0u || lower == 0u || x == 0u || row->y == 0u) {
+        measure_faces(from, regions, here, right, lower, x, row->y);
+        if (!measure_walls(from, builder, scan, here, right, lower, x, row->y)) {
             return false;
         }
-        if (lower != here && lower != 0u &&
-            !touch(builder, here, lower, height[x], height[x + frame->stride], x, y)) {
+    }
+    if (here == 0u) {
+        return true;
+    }
+    if (row->cells[x] < from->occupied_min) {
+        rs_graph_add_cell(&regions[here], *height, row->index + x, x, row->y);
+    }
+    if (right != here && right != 0u &&
+        !touch(builder, here, right, *height, height[1], x, row->y)) {
+        return false;
+    }
+    return lower == here || lower == 0u ||
+           touch(builder, here, lower, *height, height[from->frame->stride], x, row->y);
+}
+
+/* One row, left to right: what lies within one region, or within obstacles, in runs. */
+static bool read_row(const source *from, rs_graph_builder *builder, wall_scan *scan,
+                     const row_view *row)
+{
+    bool inside = row->below != NULL && row->y > 0u;
+
+    for (uint32_t x = 0; x < row->width; x++) {
+        if (inside && x > 0u) {
+            uint32_t end = skip_alike(row->labels, row->below, x, row->width - 1u);
+
+            if (row->labels[x] != 0u && end > x) {
+                add_run(from, &builder->graph->regions[row->labels[x]], row, x, end);
+            }
+            x = end;
+        }
+        if (!read_cell(from, builder, scan, row, x)) {
             return false;
         }
     }
@@ -264,15 +343,23 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
     rs_graph_begin(graph, max_edges, &builder);
     memset(scan.columns, 0, frame->width * sizeof *scan.columns);
     for (uint32_t y = 0; y < frame->height; y++) {
-        const uint16_t *row = labels->cells + (size_t)y * labels->stride;
-        const uint16_t *below = y + 1u < frame->height ? row + labels->stride : NULL;
+        const uint16_t *label_row = labels->cells + (size_t)y * labels->stride;
+        uint32_t index = rs_frame_index(frame, 0, y);
+        const row_view row = {
+            label_row,
+            y + 1u < frame->height ? label_row + labels->stride : NULL,
+            surface + index,
+            grid->cells + (size_t)(frame->y + y) * grid->stride + frame->x,
+            y,
+            frame->width,
+            index,
+        };
 
         if (rs_tick(ticker, frame->width, y, frame->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
         scan.row_label = 0;
-        if (!read_row(&from, &builder, &scan, surface + rs_frame_index(frame, 0, y), row, below,
-                      y)) {
+        if (!read_row(&from, &builder, &scan, &row)) {
             return ROOMSEG_ERR_REGIONS;
         }
     }

@@ -2,13 +2,14 @@
 
 #include <string.h>
 
-/* Without an early exit, so that compilers vectorise it: most rows hold no free cell. */
-static bool row_has_free(const uint8_t *row, uint32_t width, uint8_t free_max)
+/* Without an early exit, so that compilers vectorise it: most rows hold no free cell, and most
+ * others none beside the box that was found so far. */
+static bool has_free(const uint8_t *cells, uint32_t count, uint8_t free_max)
 {
     uint8_t lowest = 255;
 
-    for (uint32_t x = 0; x < width; x++) {
-        lowest = row[x] < lowest ? row[x] : lowest;
+    for (uint32_t i = 0; i < count; i++) {
+        lowest = cells[i] < lowest ? cells[i] : lowest;
     }
     return lowest <= free_max;
 }
@@ -24,7 +25,7 @@ int rs_threshold_crop(const roomseg_grid *grid, uint8_t free_max, rs_frame *fram
         if (rs_tick(ticker, grid->width, top, grid->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        if (row_has_free(row, grid->width, free_max)) {
+        if (has_free(row, grid->width, free_max)) {
             break;
         }
     }
@@ -33,7 +34,7 @@ int rs_threshold_crop(const roomseg_grid *grid, uint8_t free_max, rs_frame *fram
         if (rs_tick(ticker, grid->width, top, grid->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        if (row_has_free(row, grid->width, free_max)) {
+        if (has_free(row, grid->width, free_max)) {
             break;
         }
     }
@@ -46,14 +47,14 @@ int rs_threshold_crop(const roomseg_grid *grid, uint8_t free_max, rs_frame *fram
         if (rs_tick(ticker, grid->width, y, grid->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        for (uint32_t x = 0; x < left; x++) {
-            if (row[x] <= free_max) {
-                left = x;
+        if (has_free(row, left, free_max)) {
+            for (left = 0; row[left] > free_max;) {
+                left++;
             }
         }
-        for (uint32_t x = grid->width; x > right; x--) {
-            if (row[x - 1u] <= free_max) {
-                right = x;
+        if (has_free(row + right, grid->width - right, free_max)) {
+            for (right = grid->width; row[right - 1u] > free_max;) {
+                right--;
             }
         }
     }
@@ -65,20 +66,30 @@ int rs_threshold_crop(const roomseg_grid *grid, uint8_t free_max, rs_frame *fram
     return ROOMSEG_OK;
 }
 
+/* A function of its own, so that compilers know that the rows do not overlap. */
+static void compare_row(const uint8_t *restrict from, uint32_t width, uint8_t free_max,
+                        uint8_t *restrict to)
+{
+    for (uint32_t x = 0; x < width; x++) {
+        to[x] = from[x] <= free_max;
+    }
+}
+
 int rs_threshold_run(const roomseg_grid *grid, uint8_t free_max, const rs_frame *frame,
                      uint8_t *surface, rs_ticker *ticker)
 {
     const uint8_t *from = grid->cells + (size_t)frame->y * grid->stride + frame->x;
     uint8_t *to = surface + rs_frame_index(frame, 0, 0);
 
-    memset(surface, 0, (size_t)frame->stride * (frame->height + 2u));
+    memset(surface, 0, frame->stride);
+    memset(surface + (size_t)(frame->height + 1u) * frame->stride, 0, frame->stride);
     for (uint32_t y = 0; y < frame->height; y++) {
         if (rs_tick(ticker, frame->width, y, frame->height)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        for (uint32_t x = 0; x < frame->width; x++) {
-            to[x] = from[x] <= free_max;
-        }
+        *(to - 1) = 0;
+        to[frame->width] = 0;
+        compare_row(from, frame->width, free_max, to);
         from += grid->stride;
         to += frame->stride;
     }

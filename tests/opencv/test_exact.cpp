@@ -114,7 +114,7 @@ void test_distance(const test_map &map)
     cv::Mat free = cleared(map), distances;
     cv::distanceTransform(widened(free, 1), distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
     std::vector<uint8_t> surface = bordered(map.frame, free);
-    std::vector<rs_parabola> envelope(map.frame.stride);
+    std::vector<rs_basin> envelope(map.frame.stride);
     std::vector<uint32_t> least(RS_DISTANCE_MAX + 1u);
     rs_distance_scratch scratch = {envelope.data(), least.data()};
     rs_ticker ticker = quiet();

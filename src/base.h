@@ -107,6 +107,37 @@ static inline uint32_t rs_skip(const uint8_t *cells, uint32_t x, uint32_t end, u
     return x;
 }
 
+/* The same for labels. */
+static inline uint32_t rs_skip_label(const uint16_t *labels, uint32_t x, uint32_t end,
+                                     uint16_t label)
+{
+    const size_t pattern = SIZE_MAX / 0xFFFFu * label;
+    size_t word;
+
+    while ((end - x) * sizeof *labels >= sizeof word) {
+        memcpy(&word, labels + x, sizeof word);
+        if (word != pattern) {
+            break;
+        }
+        x += (uint32_t)(sizeof word / sizeof *labels);
+    }
+    while (x < end && labels[x] == label) {
+        x++;
+    }
+    return x;
+}
+
+/* The greatest of some bytes, 0 of none. */
+static inline uint8_t rs_highest(const uint8_t *values, uint32_t count)
+{
+    uint8_t highest = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        highest = values[i] > highest ? values[i] : highest;
+    }
+    return highest;
+}
+
 /* floor(sqrt(n)), exact for every 32-bit n. */
 uint32_t rs_isqrt(uint32_t n);
 

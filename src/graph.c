@@ -244,23 +244,13 @@ static uint32_t skip_alike(const uint16_t *labels, const uint16_t *below, uint32
     return x;
 }
 
-static uint8_t highest_of(const uint8_t *values, uint32_t count)
-{
-    uint8_t highest = 0;
-
-    for (uint32_t i = 0; i < count; i++) {
-        highest = values[i] > highest ? values[i] : highest;
-    }
-    return highest;
-}
-
 /* Counts the cells x..end - 1 of a region. */
 static void add_run(const source *from, rs_region *region, const row_view *row, uint32_t x,
                     uint32_t end)
 {
-    uint8_t highest = highest_of(row->heights + x, end - x);
+    uint8_t highest = rs_highest(row->heights + x, end - x);
 
-    if (highest_of(row->cells + x, end - x) >= from->occupied_min) {
+    if (rs_highest(row->cells + x, end - x) >= from->occupied_min) {
         for (; x < end; x++) {
             if (row->cells[x] < from->occupied_min) {
                 rs_graph_add_cell(region, row->heights[x], row->index + x, x, row->y);

@@ -60,30 +60,39 @@ static void add_run(roomseg_room *room, rs_room_sum *sum, uint32_t first, uint32
     sum->y += (uint64_t)y * length;
 }
 
+/* The cells first..end - 1 of a region become its room's, but for certain obstacles. */
+static void label_run(const uint8_t *cells, uint8_t occupied_min, uint16_t room, uint16_t *labels,
+                      uint32_t first, uint32_t end, uint32_t y, rs_room_records *records)
+{
+    bool whole = rs_highest(cells + first, end - first) < occupied_min;
+
+    while (first < end) {
+        uint32_t x = first;
+
+        while (x < end && (whole || cells[x] < occupied_min)) {
+            labels[x++] = room;
+        }
+        if (room != 0u && x > first) {
+            add_run(&records->rooms[room - 1u], &records->sums[room - 1u], first, x - 1u, y);
+        }
+        while (x < end && cells[x] >= occupied_min) {
+            labels[x++] = 0;
+        }
+        first = x;
+    }
+}
+
 static void label_row(const uint8_t *cells, uint8_t occupied_min, const rs_graph *graph,
                       uint16_t *labels, uint32_t width, uint32_t y, rs_room_records *records)
 {
-    uint32_t x = 0;
+    uint32_t x = rs_skip_label(labels, 0, width, 0);
 
     while (x < width) {
-        uint16_t region = labels[x], room;
-        uint32_t first = x;
+        uint16_t region = labels[x];
+        uint32_t end = rs_skip_label(labels, x, width, region);
 
-        if (region == 0u) {
-            x++;
-            continue;
-        }
-        if (cells[x] >= occupied_min) {
-            labels[x++] = 0;
-            continue;
-        }
-        room = graph->regions[region].room;
-        while (x < width && labels[x] == region && cells[x] < occupied_min) {
-            labels[x++] = room;
-        }
-        if (room != 0u) {
-            add_run(&records->rooms[room - 1u], &records->sums[room - 1u], first, x - 1u, y);
-        }
+        label_run(cells, occupied_min, graph->regions[region].room, labels, x, end, y, records);
+        x = rs_skip_label(labels, end, width, 0);
     }
 }
 

@@ -246,6 +246,14 @@ int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
     return run_sweep(&w, scratch);
 }
 
+int rs_components_drop_islands(const rs_frame *frame, uint32_t cells, uint8_t *surface,
+                               const rs_component_scratch *scratch, rs_ticker *ticker)
+{
+    sweep w = {frame, surface, 1, {cells, 0, false}, scratch->stack, ticker, 0, 0};
+
+    return run_sweep(&w, scratch);
+}
+
 int rs_components_keep_large_free(const rs_frame *frame, uint8_t *surface,
                                   const rs_component_scratch *scratch, rs_ticker *ticker)
 {

@@ -51,6 +51,12 @@ int rs_components_clear_small(const rs_frame *frame, rs_component_limits limits,
                               uint8_t *surface, const rs_component_scratch *scratch,
                               rs_ticker *ticker);
 
+/* Sets to 0 the cells of all components of free cells (surface 1, 4-connected) of fewer cells
+ * than `cells`: too small for a room, and it is regions that cost.
+ * scratch: as above, but the stack has cells - 1 elements. cells: at least 1. */
+int rs_components_drop_islands(const rs_frame *frame, uint32_t cells, uint8_t *surface,
+                               const rs_component_scratch *scratch, rs_ticker *ticker);
+
 /* Sets to 0 the cells of all components of free cells (surface 1, 8-connected) that are
  * smaller than the mean of them.
  * scratch: as above, but the stack has half as many elements as the crop has cells: where

@@ -102,6 +102,26 @@ static uint32_t isolated_cells(const roomseg_config *config, uint32_t smallest_c
                                           total % 1000u * config->isolated_permille / 1000u);
 }
 
+/* Noise and clutter become free; free islands that could only be dropped in the end go at once,
+ * so that noise does not take regions: those smaller than a room, as far as the scratch for
+ * obstacles suffices. */
+static int clear_small(const roomseg_config *config, const rs_frame *frame, uint32_t resolution_mm,
+                       uint32_t smallest_cells, rs_buffers *b, rs_ticker *ticker)
+{
+    uint32_t small = (uint32_t)ROOMSEG_PLAN_SMALL(config->speck_mm2, config->clutter_mm,
+                                                  resolution_mm);
+    uint32_t islands = rs_min_u32(smallest_cells, small);
+    int status;
+
+    rs_ticker_part(ticker, 0, 500);
+    status = rs_components_clear_small(frame, rs_components_limits(config, resolution_mm),
+                                       b->surface, &b->components, ticker);
+    rs_ticker_part(ticker, 500, 1000);
+    return status == ROOMSEG_OK && islands > 1u
+               ? rs_components_drop_islands(frame, islands, b->surface, &b->components, ticker)
+               : status;
+}
+
 /* Stages behind the crop, on placed buffers. */
 static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                       const rs_frame *frame, const rs_labels *labels, rs_buffers *b,
@@ -113,8 +133,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     int status;
 
     status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);
-    STAGE(COMPONENTS, rs_components_clear_small(frame, rs_components_limits(config, mm), b->surface,
-                                                &b->components, ticker));
+    STAGE(COMPONENTS, clear_small(config, frame, mm, rules.smallest_cells, b, ticker));
     STAGE(SURFACE, rs_distance_run(frame, mm, b->surface, &b->distance, ticker));
     STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
                                       &b->graph.region_count, &b->ring, ticker));

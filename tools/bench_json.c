@@ -36,6 +36,20 @@ static void print_cost(FILE *out, const map_result *map) {
     }
 }
 
+static void print_stages(FILE *out, const stage_costs *costs) {
+    const char *comma = "";
+    fputs(", \"stages\": {", out);
+    for (int stage = 0; stage < ROOMSEG_STAGE_COUNT; stage++) {
+        if (costs->ms[stage] > 0.0) {
+            fprintf(out, "%s\"%s\": {", comma, roomseg_stage_name(stage));
+            print_number(out, "time_ms", costs->ms[stage]);
+            fprintf(out, ", \"visits\": %" PRIu64 "}", costs->visits[stage]);
+            comma = ", ";
+        }
+    }
+    fputc('}', out);
+}
+
 static void print_map(FILE *out, const map_result *map) {
     fputs("{\"name\": ", out);
     json_string(out, map->name);
@@ -47,6 +61,9 @@ static void print_map(FILE *out, const map_result *map) {
     }
     if (map->has_cost) {
         print_cost(out, map);
+    }
+    if (map->has_stages) {
+        print_stages(out, &map->stages);
     }
     if (map->has_score) {
         fputs(", \"scores\": ", out);

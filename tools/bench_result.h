@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "score.h"
+#include "stage_costs.h"
 #include "tool_error.h"
 
 typedef struct map_result {
@@ -23,6 +24,9 @@ typedef struct map_result {
     double time_ms;       /* CPU time of one roomseg_run, median of the repetitions */
     size_t arena_bytes;
     uint64_t crop_cells;  /* width * height of the free cells' bounding box */
+
+    int has_stages;
+    stage_costs stages;
 } map_result;
 
 typedef struct set_result {

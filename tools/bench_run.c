@@ -1,23 +1,14 @@
-#define _POSIX_C_SOURCE 200809L
-
 #include "bench_run.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "label_image.h"
 #include "out.h"
 #include "report.h"
 #include "segment.h"
+#include "stages.h"
 #include "truth.h"
-
-/* CPU time that this process has used so far [ms]. */
-static double cpu_time_ms(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec / 1e6;
-}
 
 static int compare_times(const void *left, const void *right) {
     const double *a = left;
@@ -29,9 +20,9 @@ static int measure_time(const map *m, const char *name, int repetitions, segment
                         double *median_ms, tool_error *error) {
     double times[BENCH_MAX_REPETITIONS];
     for (int i = 0; i < repetitions; i++) {
-        double start = cpu_time_ms();
+        double start = stages_cpu_ms();
         int status = segment_again(m, s);
-        times[i] = cpu_time_ms() - start;
+        times[i] = stages_cpu_ms() - start;
         if (status != ROOMSEG_OK) {
             tool_error_set(error, "%s: cannot be segmented again: %s", name,
                            roomseg_status_text(status));
@@ -40,6 +31,18 @@ static int measure_time(const map *m, const char *name, int repetitions, segment
     }
     qsort(times, (size_t)repetitions, sizeof *times, compare_times);
     *median_ms = (times[(repetitions - 1) / 2] + times[repetitions / 2]) / 2.0;
+    return 0;
+}
+
+static int measure_stages(const map *m, const char *name, int repetitions, segmentation *s,
+                          map_result *out, tool_error *error) {
+    int status = stages_measure(m, s, repetitions, &out->stages);
+    if (status != ROOMSEG_OK) {
+        tool_error_set(error, "%s: its stages cannot be measured: %s", name,
+                       status == 1 ? "out of memory" : roomseg_status_text(status));
+        return -1;
+    }
+    out->has_stages = 1;
     return 0;
 }
 
@@ -133,6 +136,10 @@ static int take_results(const bench_settings *settings, const dataset_set *set,
                         const dataset_map *files, const map *m, segmentation *s,
                         map_result *out, tool_error *error) {
     if (measure_time(m, files->map, settings->repetitions, s, &out->time_ms, error) != 0) {
+        return -1;
+    }
+    if (settings->stages &&
+        measure_stages(m, files->map, settings->repetitions, s, out, error) != 0) {
         return -1;
     }
     out->rooms = s->result.room_count;

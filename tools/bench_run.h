@@ -16,11 +16,12 @@ typedef struct bench_settings {
     roomseg_config config;
     bench_reference reference;
     int repetitions;           /* 1..BENCH_MAX_REPETITIONS */
+    int stages;                /* measure each stage too */
     const char *labels_folder; /* where FOLDER/SET/NAME.pgm go; NULL: nowhere */
 } bench_settings;
 
 /* Segments the map once for its rooms, then `repetitions` times for the time: CPU time of
- * this process in roomseg_run alone, with the arena already touched. Scores the labels when
+ * this thread in roomseg_run alone, with the arena already touched. Scores the labels when
  * the map has a truth, and against the reference's when that has the map.
  * Fails iff: map, truth or reference cannot be read, their sizes differ, the library refuses
  * the map, the labels cannot be written, or memory runs out. Returns 0, or -1 with *error set. */

@@ -8,6 +8,7 @@
 #include "args.h"
 #include "bench_json.h"
 #include "bench_run.h"
+#include "bench_stages.h"
 #include "bench_table.h"
 #include "commands.h"
 #include "config_option.h"
@@ -15,11 +16,12 @@
 #include "json.h"
 #include "profile_option.h"
 #include "truth.h"
+#include "workers.h"
 
 static const char usage[] =
     "usage: roomseg bench DATASET [--set NAMES] [--profile NAME] [--align] [--reps N]\n"
-    "                     [--json] [--resolution M] [--invert] [--config FIELD=VALUE]...\n"
-    "                     [--labels FOLDER] [--reference FOLDER] [--no-room VALUE]\n";
+    "                     [--stages] [-j N] [--json] [--resolution M] [--invert]\n"
+    "                     [--config FIELD=VALUE]... [--labels FOLDER] [--reference FOLDER] [--no-room VALUE]\n";
 
 static const char help[] =
     "\n"
@@ -37,6 +39,9 @@ static const char help[] =
     "                        that with its settings for homes, and --align\n"
     "  --align               turns each map until its walls lie along the axes\n"
     "  --reps N              timed runs per map, 1 to 1000; default 3; the median counts\n"
+    "  --stages              time and cell visits of each stage too\n"
+    "  -j, --jobs N          maps at a time, 1 to 256; default: as many as there are cores.\n"
+    "                        Times are least disturbed with 1\n"
     "  --json                one JSON document instead of tables; shares from 0 to 1\n"
     "  --resolution M        edge of a cell in metres, 0.02 to 0.2; default: what the map\n"
     "                        says, else 0.04\n"
@@ -57,6 +62,7 @@ typedef struct request {
     const char *folder;
     const char *set; /* NULL: all */
     bench_settings settings;
+    int workers;
     int align, json, help;
 } request;
 
@@ -68,6 +74,15 @@ static int check_config(const roomseg_config *config, tool_error *error) {
         tool_error_set(error, "option --config: %s", roomseg_status_text(status));
         return -1;
     }
+    return 0;
+}
+
+static int read_workers(const char *jobs, int *workers, tool_error *error) {
+    long count = workers_default();
+    if (jobs != NULL && args_integer("--jobs", jobs, 1, WORKERS_MAX, &count, error) != 0) {
+        return -1;
+    }
+    *workers = (int)count;
     return 0;
 }
 
@@ -101,12 +116,15 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
     const char *repetitions = NULL;
     const char *resolution = NULL;
     const char *no_room = NULL;
+    const char *jobs = NULL;
     int operands;
     memset(out, 0, sizeof *out);
     const arg_option options[] = {
         {"--set", NULL, &out->set, NULL},
         {"--align", NULL, NULL, &out->align},
         {"--reps", NULL, &repetitions, NULL},
+        {"--stages", NULL, NULL, &out->settings.stages},
+        {"--jobs", "-j", &jobs, NULL},
         {"--resolution", NULL, &resolution, NULL},
         {"--labels", NULL, &out->settings.labels_folder, NULL},
         {"--reference", NULL, &out->settings.reference.folder, NULL},
@@ -125,6 +143,9 @@ static int read_request(int argc, char **argv, request *out, tool_error *error) 
         tool_error_set(error, "bench: which data set?");
         return -1;
     }
+    if (read_workers(jobs, &out->workers, error) != 0) {
+        return -1;
+    }
     return read_values(repetitions, resolution, no_room, out, error);
 }
 
@@ -134,13 +155,28 @@ typedef struct progress {
     int terminal; /* standard error is one: the line is overwritten */
 } progress;
 
-static void show_start(const progress *p, const char *set, const char *name) {
-    if (p->terminal) {
-        fprintf(stderr, "\r\033[K[%zu/%zu] %s/%s", p->done + 1, p->total, set, name);
+/* A set in work, shared by all workers; each map's result is its worker's alone. */
+typedef struct set_job {
+    const request *q;
+    const dataset_set *set;
+    set_result *out;
+    progress *progress;
+} set_job;
+
+static void run_map(void *user, size_t index) {
+    const set_job *job = user;
+    tool_error failure = {""};
+    map_result *result = &job->out->maps[index];
+    if (bench_run_map(&job->q->settings, job->set, &job->set->maps[index], result, &failure) !=
+        0) {
+        result->failure = failure;
     }
 }
 
-static void show_end(progress *p, const char *set, const map_result *result) {
+static void show_map(void *user, size_t index) {
+    const set_job *job = user;
+    const map_result *result = &job->out->maps[index];
+    progress *p = job->progress;
     p->done++;
     if (p->terminal) {
         fputs("\r\033[K", stderr);
@@ -148,28 +184,26 @@ static void show_end(progress *p, const char *set, const map_result *result) {
     if (result->failure.text[0] != '\0') {
         tool_error_print(&result->failure);
     } else if (!p->terminal) {
-        fprintf(stderr, "[%zu/%zu] %s/%s: %u rooms, %.1f ms\n", p->done, p->total, set,
-                result->name, (unsigned)result->rooms, result->time_ms);
+        fprintf(stderr, "[%zu/%zu] %s/%s: %u rooms, %.1f ms\n", p->done, p->total,
+                job->set->name, result->name, (unsigned)result->rooms, result->time_ms);
+    }
+    if (p->terminal && p->done < p->total) {
+        fprintf(stderr, "[%zu/%zu] %s/%s", p->done, p->total, job->set->name, result->name);
     }
 }
 
 /* Fails iff memory runs out: what goes wrong with a map is part of the result. */
 static int run_set(const request *q, const dataset_set *set, progress *p, set_result *out) {
+    set_job job = {q, set, out, p};
     if (set_result_open(out, set->name) != 0) {
         return -1;
     }
     for (size_t i = 0; i < set->count; i++) {
-        tool_error failure = {""};
-        map_result *result = set_result_add(out, set->maps[i].name);
-        if (result == NULL) {
+        if (set_result_add(out, set->maps[i].name) == NULL) {
             return -1;
         }
-        show_start(p, set->name, result->name);
-        if (bench_run_map(&q->settings, set, &set->maps[i], result, &failure) != 0) {
-            result->failure = failure;
-        }
-        show_end(p, set->name, result);
     }
+    workers_run(set->count, q->workers, run_map, show_map, &job);
     return 0;
 }
 
@@ -222,6 +256,7 @@ static int run_sets(const request *q, const dataset *data, set_result *results,
         }
         if (!q->json) {
             bench_table_print(stdout, result);
+            bench_stages_print(stdout, result);
             fflush(stdout);
         }
     }

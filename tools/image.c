@@ -6,11 +6,12 @@
 #include "infile.h"
 #include "map_pgm.h"
 #include "png_check.h"
+#include "workers.h"
 
 /* The PNG decoder grows the block of decompressed bytes as long as there are more of them,
  * whatever the size of the image. So no block may grow beyond this. */
-static uint64_t png_block_limit;
-static int png_block_refused;
+static WORKERS_OWN uint64_t png_block_limit;
+static WORKERS_OWN int png_block_refused;
 
 static void *grow_png_block(void *block, size_t size) {
     if (size > png_block_limit) {

@@ -1,0 +1,77 @@
+#include "segment_file.h"
+
+#include <stdlib.h>
+
+#include "out.h"
+#include "report.h"
+#include "rooms_png.h"
+
+enum { OUT_LABELS, OUT_JSON, OUT_PNG, OUT_COUNT };
+
+static const char *const out_names[OUT_COUNT] = {"labels.pgm", "rooms.json", "rooms.png"};
+
+static int write_one(int which, const char *path, const map *m, const segmentation *s,
+                     out_file *file, tool_error *error) {
+    switch (which) {
+    case OUT_LABELS:
+        report_labels_pgm(m, s, file->stream);
+        break;
+    case OUT_JSON:
+        report_json(m, s, path, file->stream);
+        break;
+    default:
+        if (rooms_png_write(m, s, file->stream, file->path, error) != 0) {
+            return -1;
+        }
+    }
+    return out_flush(file, error);
+}
+
+static int open_one(const char *folder, const char *name, out_file *file, tool_error *error) {
+    char *path = out_join(folder, name);
+    if (path == NULL) {
+        tool_error_set(error, "%s: out of memory", name);
+        return -1;
+    }
+    int rc = out_open(file, path, error);
+    free(path);
+    return rc;
+}
+
+/* Writes all files before any gets its name, so that a full disk leaves the old ones. */
+static int write_outputs(const char *path, const char *folder, const map *m,
+                         const segmentation *s, tool_error *error) {
+    out_file files[OUT_COUNT] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    int rc = out_make_folder(folder, error);
+    for (int i = 0; i < OUT_COUNT && rc == 0; i++) {
+        rc = open_one(folder, out_names[i], &files[i], error);
+        if (rc == 0) {
+            rc = write_one(i, path, m, s, &files[i], error);
+        }
+    }
+    for (int i = 0; i < OUT_COUNT && rc == 0; i++) {
+        rc = out_commit(&files[i], error);
+    }
+    for (int i = 0; i < OUT_COUNT; i++) {
+        out_discard(&files[i]);
+    }
+    return rc;
+}
+
+int segment_file(const char *path, const char *folder, const map_options *options,
+                 const roomseg_config *config, map *m, segmentation *s, tool_error *error) {
+    if (map_load(path, options, m, error) != 0) {
+        return -1;
+    }
+    int rc = segment_map(m, config, path, s, error);
+    if (rc == 0) {
+        rc = write_outputs(path, folder, m, s, error);
+        if (rc != 0) {
+            segmentation_free(s);
+        }
+    }
+    if (rc != 0) {
+        map_free(m);
+    }
+    return rc;
+}

@@ -102,7 +102,7 @@ misused "no command" "which command?"
 misused "unknown command" "unknown command 'sweep'" sweep
 misused "no map" "which map?" segment -o out
 misused "no folder" "-o FOLDER is missing" segment plan.pgm
-misused "two maps" "unexpected argument 'b'" segment a b -o out
+misused "jobs '0'" "--jobs" segment plan.pgm -o out -j 0
 misused "unknown option" "unknown option '--fast'" segment plan.pgm -o out --fast
 misused "option without value" "--resolution needs a value" segment plan.pgm -o out --resolution
 misused "unknown profile" "unknown profile 'x'" segment plan.pgm -o out --profile x
@@ -247,6 +247,48 @@ if [ -c /dev/full ]; then
     verdict "full standard output: exit 1" [ "$code" -eq 1 ]
     verdict "full standard output: says why" grep -q 'standard output: cannot write' stderr
 fi
+
+# ---- many maps
+
+mkdir fleet
+cp plan.pgm fleet/a.pgm
+cp dim.pgm fleet/b.pgm
+cp plan.pgm fleet/c.pgm
+for jobs in 1 3; do
+    run segment fleet/a.pgm cut.pgm fleet/b.pgm missing.png fleet/c.pgm -j $jobs -o fleet_$jobs
+    verdict "many maps, $jobs at a time: exit 1" [ "$code" -eq 1 ]
+    verdict "many maps, $jobs at a time: each error and the sum" [ "$(wc -l <stderr)" -eq 3 ]
+    verdict "many maps, $jobs at a time: errors in order" [ "$(grep -n cut.pgm stderr |
+        cut -d : -f 1) $(grep -n missing.png stderr | cut -d : -f 1)" = "1 2" ]
+    verdict "many maps, $jobs at a time: sum" grep -q 'fleet_.: 2 of 5 maps failed' stderr
+    verdict "many maps, $jobs at a time: in order" [ "$(sed 's/:.*//' stdout | tr '\n' ' ')" = \
+        "[1/5] fleet_$jobs/a [3/5] fleet_$jobs/b [5/5] fleet_$jobs/c " ]
+done
+verdict "many maps: one or three at a time are the same" diff -r fleet_1 fleet_3
+run segment fleet/a.pgm -o fleet_single
+verdict "many maps: each as if alone" diff -r fleet_single fleet_3/a
+run segment fleet/a.pgm fleet/b.pgm -o fleet_two
+verdict "two maps: exit 0" [ "$code" -eq 0 ]
+verdict "two maps: silent on stderr" [ ! -s stderr ]
+refused "two maps of one name" "both would be written to the folder 'plan'" \
+    segment plan.pgm plan.yaml -o same
+verdict "two maps of one name: nothing written" [ ! -e same ]
+
+for jobs in 1 3; do
+    run bench fleet --reps 1 -j $jobs --stages --labels bench_$jobs
+    verdict "bench, $jobs at a time: exit 0" [ "$code" -eq 0 ]
+    verdict "bench, $jobs at a time: in order" [ "$(sed 's/:.*//' stderr | tr '\n' ' ')" = \
+        "[1/3] fleet/a [2/3] fleet/b [3/3] fleet/c " ]
+    verdict "bench --stages: a line a stage" grep -Eq '^watershed +[0-9.]+ +[0-9.]+' stdout
+done
+verdict "bench: one or three at a time are the same" diff -r bench_1 bench_3
+run bench fleet --reps 2 --stages --json
+verdict "bench --stages --json" grep -q '"stages": {"threshold": {"time_ms": ' stdout
+misused "bench: jobs 'x'" "--jobs" bench fleet -j x
+cp cut.pgm fleet/b.pgm
+run bench fleet --reps 1
+verdict "bench: a bad map: exit 1" [ "$code" -eq 1 ]
+verdict "bench: a bad map does not stop the others" grep -q '^\[3/3\] fleet/c' stderr
 
 # ---- explain
 

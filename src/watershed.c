@@ -150,18 +150,15 @@ static int point_cells(flood *f)
     const rs_frame *frame = f->frame;
     int status = ROOMSEG_OK;
 
-    /* A row's plateaus are read when the row below has its pointers. */
-    for (uint32_t y = 0; status == ROOMSEG_OK && y <= frame->height; y++, f->row++) {
+    for (uint32_t y = 0; y < frame->height; y++, f->row++) {
         if (tick(f, frame->width)) {
             return ROOMSEG_ERR_CANCELLED;
         }
-        if (y < frame->height) {
-            point_row(f->surface + rs_frame_index(frame, 0, y), frame->stride, frame->width, y,
-                      label_at(f, 0, y));
-        }
-        if (y > 0u) {
-            status = reach_row(f, y - 1u, true);
-        }
+        point_row(f->surface + rs_frame_index(frame, 0, y), frame->stride, frame->width, y,
+                  label_at(f, 0, y));
+    }
+    for (uint32_t y = 0; status == ROOMSEG_OK && y < frame->height; y++, f->row++) {
+        status = reach_row(f, y, true);
     }
     return status == ROOMSEG_OK ? spread(f) : status;
 }
@@ -284,7 +281,7 @@ int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max
     flood f = {frame, surface, labels, ring, ticker, {0}, {0}, max_regions, 0, 0, 0, 0, false};
     int status;
 
-    f.rows = 2u * frame->height + 1u;
+    f.rows = 3u * frame->height;
     f.surface_step[UP] = -(ptrdiff_t)frame->stride;
     f.label_step[UP] = -(ptrdiff_t)labels->stride;
     f.surface_step[LEFT] = f.label_step[LEFT] = -1;

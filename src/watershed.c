@@ -5,6 +5,9 @@
 enum { UP = 0, DOWN, LEFT, RIGHT, DIRECTIONS };
 #define POINTER 0xFFFCu
 
+/* Cells of plateaus enter the ring so many steps from the slope, see point_cells. */
+#define RING_HOPS 2u
+
 RS_STATIC_ASSERT(ROOMSEG_MAX_REGIONS < POINTER, pointers_are_no_labels);
 
 typedef struct flood {
@@ -93,26 +96,34 @@ static int spread(flood *f)
     return ROOMSEG_OK;
 }
 
-/* Whether a cell of a plateau may point to a neighbour of equal height: with `slopes_only` if
- * that has a higher neighbour itself, else if it has a way up or a label. */
-static bool leads_up(const flood *f, const uint8_t *height, const uint16_t *label,
-                     bool slopes_only)
+/* Whether a cell of a plateau may point to a neighbour of equal height: one from which `hops` steps
+ * up lead off the plateau, or with ANY, that has a way up or a label. */
+#define ANY 0u
+
+static bool leads_up(const flood *f, const uint8_t *height, const uint16_t *label, uint32_t hops)
 {
-    if (*label < POINTER || !slopes_only) {
+    uint8_t level = *height;
+
+    if (hops == ANY) {
         return *label != 0u;
     }
-    return height[f->surface_step[*label - POINTER]] > *height;
+    while (hops > 0u && *height == level && *label >= POINTER) {
+        height += f->surface_step[*label - POINTER];
+        label += f->label_step[*label - POINTER];
+        hops--;
+    }
+    return hops == 0u && *height > level;
 }
 
 /* Points a cell of a plateau to a neighbour that leads up. False: there is none. */
 static bool point_cell(const flood *f, const uint8_t *height, uint16_t *label, bool odd,
-                       bool slopes_only)
+                       uint32_t hops)
 {
     for (uint32_t k = 0; k < DIRECTIONS; k++) {
         uint32_t d = odd ? k ^ 2u : k;
 
         if (height[f->surface_step[d]] == *height &&
-            leads_up(f, height + f->surface_step[d], label + f->label_step[d], slopes_only)) {
+            leads_up(f, height + f->surface_step[d], label + f->label_step[d], hops)) {
             *label = (uint16_t)(POINTER + d);
             return true;
         }
@@ -120,9 +131,9 @@ static bool point_cell(const flood *f, const uint8_t *height, uint16_t *label, b
     return false;
 }
 
-/* Cells of plateaus in row y that are beside a way up, see leads_up, point to it and enter the
- * ring. */
-static int reach_row(flood *f, uint32_t y, bool slopes_only)
+/* Cells of plateaus in row y that are beside a way up, see leads_up, point to it. With `enter`
+ * they enter the ring. */
+static int reach_row(flood *f, uint32_t y, uint32_t hops, bool enter)
 {
     const uint8_t *row = f->surface + rs_frame_index(f->frame, 0, y);
     uint16_t *labels = label_at(f, 0, y);
@@ -133,7 +144,7 @@ static int reach_row(flood *f, uint32_t y, bool slopes_only)
     }
     for (uint32_t x = 0; x < width; x++) {
         if (labels[x] != 0u || row[x] == 0u ||
-            !point_cell(f, row + x, labels + x, is_odd(x, y) != 0u, slopes_only)) {
+            !point_cell(f, row + x, labels + x, is_odd(x, y) != 0u, hops) || !enter) {
             continue;
         }
         if (f->ring->count == f->ring->capacity && spread(f) != ROOMSEG_OK) {
@@ -144,7 +155,9 @@ static int reach_row(flood *f, uint32_t y, bool slopes_only)
     return ROOMSEG_OK;
 }
 
-/* Gives every cell but those of regional maxima its way up. */
+/* Gives every cell but those of regional maxima its way up. On a plateau the cells beside a slope
+ * come first, without the ring, then those beside these: in most maps a level is a cell or two
+ * wide, and the ring holds what is left. */
 static int point_cells(flood *f)
 {
     const rs_frame *frame = f->frame;
@@ -157,8 +170,10 @@ static int point_cells(flood *f)
         point_row(f->surface + rs_frame_index(frame, 0, y), frame->stride, frame->width, y,
                   label_at(f, 0, y));
     }
-    for (uint32_t y = 0; status == ROOMSEG_OK && y < frame->height; y++, f->row++) {
-        status = reach_row(f, y, true);
+    for (uint32_t hops = 1; hops <= RING_HOPS; hops++) {
+        for (uint32_t y = 0; status == ROOMSEG_OK && y < frame->height; y++, f->row++) {
+            status = reach_row(f, y, hops, hops == RING_HOPS);
+        }
     }
     return status == ROOMSEG_OK ? spread(f) : status;
 }
@@ -171,7 +186,7 @@ static int find_lost(flood *f)
     while (status == ROOMSEG_OK && f->lost) {
         f->lost = false;
         for (uint32_t y = 0; status == ROOMSEG_OK && y < f->frame->height; y++) {
-            status = reach_row(f, y, false);
+            status = reach_row(f, y, ANY, true);
         }
         if (status == ROOMSEG_OK) {
             status = spread(f);
@@ -281,7 +296,7 @@ int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max
     flood f = {frame, surface, labels, ring, ticker, {0}, {0}, max_regions, 0, 0, 0, 0, false};
     int status;
 
-    f.rows = 3u * frame->height;
+    f.rows = (2u + RING_HOPS) * frame->height;
     f.surface_step[UP] = -(ptrdiff_t)frame->stride;
     f.label_step[UP] = -(ptrdiff_t)labels->stride;
     f.surface_step[LEFT] = f.label_step[LEFT] = -1;

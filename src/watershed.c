@@ -6,7 +6,7 @@ enum { UP = 0, DOWN, LEFT, RIGHT, DIRECTIONS };
 #define POINTER 0xFFFCu
 
 /* Cells of plateaus enter the ring so many steps from the slope, see point_cells. */
-#define RING_HOPS 2u
+#define RING_HOPS 3u
 
 RS_STATIC_ASSERT(ROOMSEG_MAX_REGIONS < POINTER, pointers_are_no_labels);
 

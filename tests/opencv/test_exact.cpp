@@ -85,6 +85,25 @@ static cv::Mat keep_large_free(const cv::Mat &free)
     return out;
 }
 
+// Many islands of a few cells, so that some are just as large as the mean, or a cell smaller.
+static void check_islands_of_noise(const std::string &name)
+{
+    const rs_frame frame = {0, 0, 24, 24, 26};
+    component_memory memory(frame);
+    rs_ticker ticker = quiet();
+    cv::RNG random(name.size());
+    cv::Mat noise(24, 24, CV_8U);
+    long wrong = 0;
+    for (int i = 0; i < 300; i++) {
+        random.fill(noise, cv::RNG::UNIFORM, 0, 256);
+        cv::Mat free = noise < 40 + i % 60;
+        std::vector<uint8_t> surface = bordered(frame, free);
+        rs_components_keep_large_free(&frame, surface.data(), &memory.scratch, &ticker);
+        wrong += differences(unbordered(frame, surface) * 255, keep_large_free(free));
+    }
+    check_same(name, "free islands of noise", wrong);
+}
+
 void test_components(const test_map &map)
 {
     component_memory memory(map.frame);
@@ -106,6 +125,7 @@ void test_components(const test_map &map)
     rs_components_keep_large_free(&map.frame, surface.data(), &memory.scratch, &ticker);
     check_same(map.name, "free islands below the mean",
                differences(unbordered(map.frame, surface) * 255, keep_large_free(free_cells(map))));
+    check_islands_of_noise(map.name);
 }
 
 // OpenCV's distances are roots of whole numbers; squared and rounded they are exact.

@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 extern "C" {
@@ -255,6 +256,51 @@ static cv::Mat markers_of(const test_map &map, const cv::Mat &free)
     return labels;
 }
 
+// The lowest height up to which one has to climb from a marker to each cell; with basins, on
+// cells of the marker's basin alone.
+static cv::Mat heights_to_climb(const cv::Mat &ridges, const cv::Mat &markers, const cv::Mat *basins)
+{
+    std::vector<std::vector<cv::Point>> levels(256);
+    cv::Mat climbed(ridges.size(), CV_8U, cv::Scalar(255));
+    cv::Rect inside(cv::Point(0, 0), ridges.size());
+    for (int y = 0; y < ridges.rows; y++) {
+        for (int x = 0; x < ridges.cols; x++) {
+            if (markers.at<int>(y, x) != 0) {
+                climbed.at<uint8_t>(y, x) = 0;
+                levels[0].push_back({x, y});
+            }
+        }
+    }
+    for (size_t level = 0; level < 256; level++) {
+        for (size_t i = 0; i < levels[level].size(); i++) {
+            cv::Point from = levels[level][i];
+            for (int k = 0; k < 9; k++) {
+                cv::Point to(from.x + k % 3 - 1, from.y + k / 3 - 1);
+                if (!inside.contains(to) ||
+                    (basins != nullptr && basins->at<uint16_t>(to) != basins->at<uint16_t>(from))) {
+                    continue;
+                }
+                size_t height = std::max(level, (size_t)ridges.at<uint8_t>(to));
+                if (height < climbed.at<uint8_t>(to)) {
+                    climbed.at<uint8_t>(to) = (uint8_t)height;
+                    levels[height].push_back(to);
+                }
+            }
+        }
+    }
+    return climbed;
+}
+
+// Share of the cells in basins that are reached from another marker on a lower way.
+static double share_beyond_ridges(const cv::Mat &ridges, const cv::Mat &markers,
+                                  const cv::Mat &basins)
+{
+    cv::Mat lowest = heights_to_climb(ridges, markers, nullptr);
+    cv::Mat own = heights_to_climb(ridges, markers, &basins);
+    cv::Mat cells = (basins != (int)RS_LINE) & (markers == 0);
+    return (double)cv::countNonZero((own > lowest) & cells) / cv::countNonZero(cells);
+}
+
 // Lines separate: no two basins touch, not even at corners, except where their markers do. The
 // basins are compared with OpenCV's flood of the same surface from the same markers. That one goes by
 // differences between neighbours instead of heights, so it agrees in the large only.
@@ -296,6 +342,8 @@ void test_watershed_lines(const test_map &map)
             }
         }
     }
+    check_at_most(map.name, "basins: share of cells beyond a ridge",
+                  share_beyond_ridges(ridges, markers, labels), 0.0);
     check_same(map.name, "markers that changed", moved);
     check_same(map.name, "basins that touch", touching);
     check_at_least(map.name, "basins: share like OpenCV's", (double)same / (double)compared, 0.9);

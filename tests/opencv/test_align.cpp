@@ -168,7 +168,8 @@ void test_rotate(const test_map &map)
         // Obstacles where the bilinear mixture of free and not free says so, the unknown whole
         // or half.
         for (uint8_t whole_min : {0, 204}) {
-            cv::Mat whole = (map.cells > 51), half = whole & (map.cells < whole_min), mixture, share;
+            cv::Mat whole = (map.cells > 51), half = whole & (map.cells < whole_min);
+            cv::Mat mixture, share;
             rs_mixture how = {51, whole_min, 127};
             rs_rotate_grid(&r, &map.grid, how, turned.data, r.width, &ticker);
             cv::addWeighted(whole, 1.0 / 255.0, half, -0.5 / 255.0, 0.0, share, CV_32F);

@@ -258,7 +258,8 @@ static cv::Mat markers_of(const test_map &map, const cv::Mat &free)
 
 // The lowest height up to which one has to climb from a marker to each cell; with basins, on
 // cells of the marker's basin alone.
-static cv::Mat heights_to_climb(const cv::Mat &ridges, const cv::Mat &markers, const cv::Mat *basins)
+static cv::Mat heights_to_climb(const cv::Mat &ridges, const cv::Mat &markers,
+                                const cv::Mat *basins)
 {
     std::vector<std::vector<cv::Point>> levels(256);
     cv::Mat climbed(ridges.size(), CV_8U, cv::Scalar(255));

@@ -27,7 +27,8 @@ CORE = (("m4", "-Os", False, "none"), ("m7", "-O2", False, "none"),
         ("rv32", "-Os", False, "none"), ("m4", "-O2", True, "none"))
 CORE_HOSTED = ("linux-s390x",)
 LEVELS = ("-O0", "-O2", "-Os")
-TOO_LONG = re.compile("stage_lifetime$|real_")  # minutes in an emulator; only with --all
+# Minutes in an emulator; only with --all.
+TOO_LONG = re.compile("stage_(lifetime|ridge)$|limits_cancel$|tools_explain$|real_")
 
 
 def compare(title, runs, host_runs):

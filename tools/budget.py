@@ -230,7 +230,7 @@ def measure_memory(host, budget):
 
 def shown_maps(runs):
     """Maps for the tables, and those whose stages are shown: a home, the furnished set's map of
-    median size, the worst case."""
+    median size, the map with the most regions."""
     real = sorted({name for name, _ in runs if name.startswith(("neato", "furnished_"))})
     staged = [name for name in ("neato_10", "furnished_13_office_b") if name in real] or ["home"]
     return ["home", *PATTERNS, *real], [*staged, "checker"]

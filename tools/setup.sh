@@ -4,7 +4,8 @@
 #   tools/setup.sh [build]   compiler, CMake, make, pkg-config, stb
 #   tools/setup.sh test      the same, OpenCV and g++ for the comparison with it, and Unity into
 #                            build/unity
-#   tools/setup.sh ci        the same, and clang and the 32-bit libraries
+#   tools/setup.sh ci        the same, and clang, the 32-bit libraries and what tests/lint.sh
+#                            runs
 #   tools/setup.sh embedded  as test, and clang, cross compilers, emulators, Python: for
 #                            tests/embedded/run.py and tools/budget.py (2.5 GB on disk)
 #
@@ -63,6 +64,8 @@ find_missing() {
     if [ "$purpose" = ci ]; then
         compiles gcc || need gcc libc6-dev
         compiles clang || need clang
+        command -v clang-tidy >/dev/null 2>&1 || need clang-tidy
+        command -v cppcheck >/dev/null 2>&1 || need cppcheck
         # Not gcc-multilib: it would throw out the cross compilers, which it conflicts with for
         # a symbolic link to the kernel's headers. The preset m32 names that folder instead.
         compiles gcc -m32 -idirafter /usr/include/x86_64-linux-gnu ||

@@ -172,7 +172,17 @@ static int decode_png(const unsigned char *bytes, size_t size, const char *name,
     }
     samples s;
     void *decoded;
+    unsigned char *filled = NULL;
+    if (info.palette != 0) {
+        filled = png_fill_palette(bytes, &size, &info);
+        if (filled == NULL) {
+            tool_error_set(error, "%s: out of memory", name);
+            return -1;
+        }
+        bytes = filled;
+    }
     const char *damage = decode_samples(bytes, size, &info, &decoded, &s);
+    free(filled);
     int rc = -1;
     if (decoded == NULL) {
         tool_error_set(error, "%s: the PNG is damaged (%s)", name, damage);

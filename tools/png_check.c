@@ -1,10 +1,12 @@
 #include "png_check.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #define SIGNATURE_BYTES 8u
 #define CHUNK_FRAME_BYTES 12u /* length, type, checksum */
 #define IHDR_BYTES 13u
+#define PALETTE_BYTES 768u
 
 static uint32_t big_endian(const unsigned char *b) {
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
@@ -61,11 +63,35 @@ const char *png_check(const unsigned char *bytes, size_t size, png_info *info) {
         }
         if (is_header) {
             *info = (png_info){big_endian(type + 4), big_endian(type + 8), type[12],
-                               channels_of(type[13])};
+                               channels_of(type[13]), 0};
+        }
+        if (info->palette == 0 && memcmp(type, "PLTE", 4) == 0) {
+            info->palette = at;
         }
         if (memcmp(type, "IEND", 4) == 0) {
             return NULL;
         }
         at += CHUNK_FRAME_BYTES + length;
     }
+}
+
+unsigned char *png_fill_palette(const unsigned char *bytes, size_t *size, const png_info *info) {
+    size_t length = big_endian(bytes + info->palette);
+    size_t data = info->palette + 8;
+    size_t full = length < PALETTE_BYTES ? PALETTE_BYTES : length;
+    unsigned char *copy = malloc(*size + full - length);
+    if (copy == NULL) {
+        return NULL;
+    }
+    memcpy(copy, bytes, data + length);
+    for (size_t i = length; i < full; i++) {
+        copy[data + i] = i % 3 == 0 ? 255 : 0;
+    }
+    memcpy(copy + data + full, bytes + data + length, *size - data - length);
+    copy[info->palette] = (unsigned char)(full >> 24);
+    copy[info->palette + 1] = (unsigned char)(full >> 16);
+    copy[info->palette + 2] = (unsigned char)(full >> 8);
+    copy[info->palette + 3] = (unsigned char)full;
+    *size += full - length;
+    return copy;
 }

@@ -10,11 +10,17 @@ typedef struct png_info {
     uint32_t width, height;
     int bit_depth; /* 1, 2, 4, 8, 16 */
     int channels;  /* 1..4; 0 when the file names no known kind */
+    size_t palette; /* offset of the first PLTE chunk; 0: there is none */
 } png_info;
 
 /* Bytes that the image takes before it was compressed, but for what interlacing adds. Both
  * sides must be within the limits of image.h. */
 uint64_t png_raw_bytes(const png_info *info);
+
+/* A copy of the file whose first palette has all 256 entries, those that it lacked in red: the
+ * decoder takes colours that a palette does not hold from memory that nobody wrote. *size: of the
+ * copy, to be freed. NULL: out of memory. info->palette must not be 0. */
+unsigned char *png_fill_palette(const unsigned char *bytes, size_t *size, const png_info *info);
 
 /* Walks the chunks of a file that begins with the PNG signature.
  * Returns NULL when each is whole and its checksum right, IHDR is the first and IEND comes;

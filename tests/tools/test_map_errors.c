@@ -212,6 +212,9 @@ static void test_colour_pngs(void) {
     const uint8_t indices[] = {0, 1};
     png = tiny_png_make(2, 1, 8, PNG_PALETTE, indices, 2, 1, palette, 2);
     expect_bad_png(&png, png.size, "colours");
+    const uint8_t beyond[] = {0, 200}; /* an entry that the palette does not have */
+    png = tiny_png_make(2, 1, 8, PNG_PALETTE, beyond, 2, 1, palette, 1);
+    expect_bad_png(&png, png.size, "colours");
 }
 
 #define IMAGE "image: m.pgm\n"

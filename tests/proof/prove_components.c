@@ -1,34 +1,6 @@
 #include "../../src/components.c"
 #include "proof.h"
 
-/* Union-find: after any five unions of six slots each find ends at a root, within five steps, and
- * areas add up. */
-void prove_union_find(void)
-{
-    enum { SLOTS = 6, UNIONS = 5 };
-    rs_component c[SLOTS];
-    uint32_t total = 0, found = 0;
-    for (uint16_t i = 0; i < SLOTS; i++) {
-        uint32_t area = nondet_u32();
-        ASSUME(area >= 1u && area <= RS_COMPONENT_OPEN / SLOTS);
-        c[i] = (rs_component){area, i, i, i, i, i, i, i, 0};
-        total += area;
-    }
-    for (uint32_t k = 0; k < UNIONS; k++) {
-        uint16_t a = nondet_u8(), b = nondet_u8();
-        ASSUME(a < SLOTS && b < SLOTS);
-        uint16_t root = find_root(c, a);
-        unite(c, root, find_root(c, b));
-        PROVE(find_root(c, a) == find_root(c, b));
-    }
-    for (uint16_t i = 0; i < SLOTS; i++) {
-        uint16_t root = find_root(c, i);
-        PROVE(c[root].parent == root && c[root].min_x <= i && i <= c[root].max_x);
-        found += c[i].parent == i ? c[i].area : 0u;
-    }
-    PROVE(found == total);
-}
-
 void prove_add_area(void)
 {
     uint32_t a = nondet_u32(), b = nondet_u32();

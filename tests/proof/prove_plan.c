@@ -37,27 +37,3 @@ void prove_plan_small(void)
     ASSUME(mm >= ROOMSEG_MIN_RESOLUTION_MM && mm <= ROOMSEG_MAX_RESOLUTION_MM);
     PROVE(ROOMSEG_PLAN_SMALL(speck, clutter, mm) <= 10001u);
 }
-
-/* Any four buffers: those alive in one stage never share a byte, and all lie within the size. */
-void prove_place(void)
-{
-    enum { ROWS = 4 };
-    rs_plan_row rows[ROWS];
-    rs_plan plan;
-    for (uint32_t i = 0; i < ROWS; i++) {
-        rows[i].bytes = nondet_u16();
-        rows[i].first = nondet_u8() & 3;
-        rows[i].last = nondet_u8() & 3;
-        ASSUME(rows[i].first <= rows[i].last);
-    }
-    rs_plan_place(rows, ROWS, &plan);
-    for (uint32_t i = 0; i < ROWS; i++) {
-        PROVE(plan.offset[i] % 8u == 0u);
-        PROVE(plan.offset[i] + rows[i].bytes <= plan.size);
-        for (uint32_t j = 0; j < i; j++) {
-            bool together = rows[j].first <= rows[i].last && rows[i].first <= rows[j].last;
-            PROVE(!together || plan.offset[i] + rows[i].bytes <= plan.offset[j] ||
-                  plan.offset[j] + rows[j].bytes <= plan.offset[i]);
-        }
-    }
-}

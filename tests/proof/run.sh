@@ -35,7 +35,8 @@ prove() { # FILE PROOF UNWIND CHECKS FUNCTION "WHAT IS PROVED" "RANGES"
 }
 
 words=$(echo "$*" | tr ' ' '|')
-printf '%-7s %5s %5s  %-28s %-46s %s\n' "" goals time function "proved, beside no run-time error" ranges
+printf '%-7s %5s %5s  %-28s %-46s %s\n' "" goals time function \
+    "proved, beside no run-time error" ranges
 prove base isqrt 18 exact rs_isqrt "result <= 65535" "all 32-bit n"
 prove base isqrt_value 18 exact rs_isqrt "root^2 <= n < (root + 1)^2" "n < 2^16"
 prove base divide_q8 73 wraps rs_divide_q8 "-" "quotient < 2^32"
@@ -43,15 +44,13 @@ prove base ticker_call 10 exact rs_ticker_call "0..1000, never falls" "done <= t
 prove trig direction 6 exact rs_trig_direction "-1..1" "-720..720 degrees"
 prove trig angle 15 exact rs_trig_angle "-180..180 degrees" "|x|, |y| < 2^31"
 prove distance crossing 1 exact crossing "-" "columns < 2^16, heights <= 255^2"
-prove blur box 64 exact rs_box_of_variance "weights sum to 2^16, radius <= 62" "all 32-bit variances"
+prove blur box 64 exact rs_box_of_variance "weights sum to 2^16, radius <= 62" \
+    "all 32-bit variances"
 prove heap heap 8 exact "rs_heap_push, _pop" "sorted, nothing lost" "6 items"
-prove components union_find 8 exact "find_root, unite" "areas add up, one root" "6 slots, 5 unions"
 prove components add_area 1 exact add_area "saturates" "both <= 2^30"
 prove components runs 10 exact find_runs "maximal, ordered, as few as planned" "rows of 8 cells"
-prove cluster cluster 10 exact "rs_cluster_unite, _first" "lists lead out, areas add up" "4 regions on a ring, 3 unions"
 prove merge openness 1 exact openness "<= 327,680,000" "distances 1..255, 1..100 percent"
 prove merge niche 1 exact niche_key "<= 16384" "distances 1..255, any area"
 prove plan plan 1 wraps ROOMSEG_PLAN_TABLE "all buffers fit in 32 bits" "all sizes and capacities"
 prove plan plan_small 1 exact ROOMSEG_PLAN_SMALL "<= 10001 cells" "all configs, 20..200 mm"
-prove plan place 6 wraps rs_plan_place "no bytes shared while alive" "4 buffers, 4 stages"
 exit $failed

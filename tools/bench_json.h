@@ -14,7 +14,8 @@ void bench_json_print_metrics(FILE *out, const metrics *m);
  *   {"name", "maps": [...], "mean": {...}, "deviation": {...},
  *    "mean_without_specks": {...}, "deviation_without_specks": {...}}
  * and per map {"name", "error"} or {"name", "rooms_found", "time_ms", "arena_bytes",
- * "crop_cells", "bytes_per_crop_cell", "stages": {NAME: {"time_ms", "visits"}}, "scores": {...}, "scores_without_specks": {...}}. */
+ * "crop_cells", "bytes_per_crop_cell", "stages": {STAGE: {"time_ms", "visits"}},
+ * "scores": {...}, "scores_without_specks": {...}}. */
 void bench_json_print_sets(FILE *out, const set_result *sets, size_t count);
 
 #endif

@@ -21,7 +21,8 @@
 static const char usage[] =
     "usage: roomseg bench DATASET [--set NAMES] [--profile NAME] [--align] [--reps N]\n"
     "                     [--stages] [-j N] [--json] [--resolution M] [--invert]\n"
-    "                     [--config FIELD=VALUE]... [--labels FOLDER] [--reference FOLDER] [--no-room VALUE]\n";
+    "                     [--config FIELD=VALUE]... [--labels FOLDER]\n"
+    "                     [--reference FOLDER] [--no-room VALUE]\n";
 
 static const char help[] =
     "\n"

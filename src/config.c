@@ -11,15 +11,17 @@ roomseg_config roomseg_config_default(void)
     config.free_max = 51;
     config.occupied_min = 204;
     config.speck_mm2 = 96000;
-    config.clutter_mm = 1000;
+    config.clutter_mm = 1500;
     config.smallest_room_mm2 = 1000000;
     config.niche_mm2 = 3000000;
     config.isolated_permille = 10;
-    config.room_opening_percent = 85;
+    config.room_opening_percent = 83;
     config.passage_opening_percent = 41;
     config.passage_min_neighbours = 3;
-    config.open_plan_percent = 50;
     config.shared_wall_mm = 1000;
+    config.lived_in_permille = 3;
+    config.open_plan_percent = 50;
+    config.door_mm = 950;
     config.unwalled_percent = 50;
     config.dilation_mm = 120;
     config.seed_obstacle_permille = 50;
@@ -45,6 +47,7 @@ int rs_config_check(const roomseg_config *config)
                 config->open_plan_percent >= 1u && config->open_plan_percent <= 100u &&
                 config->shared_wall_mm >= ROOMSEG_MIN_SHARED_WALL_MM &&
                 config->shared_wall_mm <= ROOMSEG_MAX_SHARED_WALL_MM &&
+                config->door_mm <= ROOMSEG_MAX_DOOR_MM && config->lived_in_permille <= 1000u &&
                 config->unwalled_percent <= 100u &&
                 config->dilation_mm <= ROOMSEG_MAX_DILATION_MM &&
                 config->seed_obstacle_permille <= 499u &&

@@ -118,6 +118,7 @@ typedef struct wall_scan {
     rs_column *columns;
     uint32_t row_x;     /* last labelled cell of the row */
     uint16_t row_label; /* its label; 0: none yet */
+    uint32_t certain;   /* certain obstacles within regions that end the row so far */
 } wall_scan;
 
 /* Notes a face between a cell of a region and the obstacle at crop position (x, y), which
@@ -140,6 +141,7 @@ void rs_graph_begin(rs_graph *graph, uint32_t max_edges, rs_graph_builder *build
     builder->latest = NO_EDGE;
 
     graph->edge_count = 0;
+    graph->clutter = 0;
     memset(graph->regions, 0, (graph->region_count + 1u) * sizeof *graph->regions);
     for (uint32_t r = 0; r <= graph->region_count; r++) {
         graph->regions[r].parent = (uint16_t)r;
@@ -244,20 +246,37 @@ static uint32_t skip_alike(const uint16_t *labels, const uint16_t *below, uint32
     return x;
 }
 
-/* Counts the cells x..end - 1 of a region. */
-static void add_run(const source *from, rs_region *region, const row_view *row, uint32_t x,
-                    uint32_t end)
+/* Counts the next cell of a row. */
+static void add_cell(const source *from, rs_graph *graph, wall_scan *scan, const row_view *row,
+                     uint32_t x)
 {
+    uint16_t here = row->labels[x];
+
+    if (here != 0u && row->cells[x] >= from->occupied_min) {
+        scan->certain++;
+        graph->clutter += scan->certain == 2u ? 2u : scan->certain > 2u;
+        return;
+    }
+    scan->certain = 0;
+    if (here != 0u) {
+        rs_graph_add_cell(&graph->regions[here], row->heights[x], row->index + x, x, row->y);
+    }
+}
+
+/* Counts the cells x..end - 1 of a region. */
+static void add_run(const source *from, rs_graph *graph, wall_scan *scan, const row_view *row,
+                    uint32_t x, uint32_t end)
+{
+    rs_region *region = &graph->regions[row->labels[x]];
     uint8_t highest = rs_highest(row->heights + x, end - x);
 
     if (rs_highest(row->cells + x, end - x) >= from->occupied_min) {
         for (; x < end; x++) {
-            if (row->cells[x] < from->occupied_min) {
-                rs_graph_add_cell(region, row->heights[x], row->index + x, x, row->y);
-            }
+            add_cell(from, graph, scan, row, x);
         }
         return;
     }
+    scan->certain = 0;
     rs_graph_add_cell(region, row->heights[x], row->index + x, x, row->y);
     region->area += end - x - 1u;
     if (highest > region->peak) {
@@ -274,23 +293,20 @@ static void add_run(const source *from, rs_region *region, const row_view *row, 
 static bool read_cell(const source *from, rs_graph_builder *builder, wall_scan *scan,
                       const row_view *row, uint32_t x)
 {
-    rs_region *regions = builder->graph->regions;
     const uint8_t *height = row->heights + x;
     uint16_t here = row->labels[x];
     uint16_t right = x + 1u < row->width ? row->labels[x + 1u] : (uint16_t)0;
     uint16_t lower = row->below != NULL ? row->below[x] : (uint16_t)0;
 
     if (here == 0u || right == 0u || lower == 0u || x == 0u || row->y == 0u) {
-        measure_faces(from, regions, here, right, lower, x, row->y);
+        measure_faces(from, builder->graph->regions, here, right, lower, x, row->y);
         if (!measure_walls(from, builder, scan, here, right, lower, x, row->y)) {
             return false;
         }
     }
+    add_cell(from, builder->graph, scan, row, x);
     if (here == 0u) {
         return true;
-    }
-    if (row->cells[x] < from->occupied_min) {
-        rs_graph_add_cell(&regions[here], *height, row->index + x, x, row->y);
     }
     if (right != here && right != 0u &&
         !touch(builder, here, right, *height, height[1], x, row->y)) {
@@ -311,7 +327,7 @@ static bool read_row(const source *from, rs_graph_builder *builder, wall_scan *s
             uint32_t end = skip_alike(row->labels, row->below, x, row->width - 1u);
 
             if (row->labels[x] != 0u && end > x) {
-                add_run(from, &builder->graph->regions[row->labels[x]], row, x, end);
+                add_run(from, builder->graph, scan, row, x, end);
             }
             x = end;
         }
@@ -328,7 +344,7 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
 {
     rs_graph_builder builder;
     source from = {frame, grid, occupied_min, RS_GRAPH_WALL_MM / grid->resolution_mm};
-    wall_scan scan = {columns, 0, 0};
+    wall_scan scan = {columns, 0, 0, 0};
 
     rs_graph_begin(graph, max_edges, &builder);
     memset(scan.columns, 0, frame->width * sizeof *scan.columns);
@@ -349,6 +365,7 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
             return ROOMSEG_ERR_CANCELLED;
         }
         scan.row_label = 0;
+        scan.certain = 0;
         if (!read_row(&from, &builder, &scan, &row)) {
             return ROOMSEG_ERR_REGIONS;
         }

@@ -55,6 +55,7 @@ typedef struct rs_graph {
     rs_region *regions;
     rs_edge *edges;
     uint32_t region_count, edge_count;
+    uint32_t clutter; /* certain obstacles within regions, but single cells of a row */
 } rs_graph;
 
 /* The region at the other end of a half-edge, as it was before merging. */

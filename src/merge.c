@@ -59,24 +59,30 @@ static uint32_t niche_key(uint32_t niche_cells, const rs_region *region, uint32_
     return niche ? saddle * (OPENING_KEY / 2u) / region->peak : 0u;
 }
 
-/* Length of the wall between two roots, summed up to at most `limit` and beyond. */
-static uint32_t shared_wall(rs_graph *graph, uint16_t a, uint16_t b, uint32_t limit)
+/* What two roots share, over all edges between them [cells]. */
+typedef struct contact {
+    uint32_t wall, border;
+} contact;
+
+static contact find_contact(rs_graph *graph, uint16_t a, uint16_t b)
 {
     bool walk_a = graph->regions[a].area < graph->regions[b].area;
     uint16_t root = walk_a ? a : b, target = walk_a ? b : a;
     uint32_t start = rs_cluster_first(graph, root);
-    uint32_t half = start, wall = 0;
+    uint32_t half = start;
+    contact sum = {0, 0};
 
-    while (half != RS_NO_HALF && wall < limit) {
+    while (half != RS_NO_HALF) {
         if (rs_cluster_root(graph->regions, rs_graph_other_end(graph, half)) == target) {
-            wall += graph->edges[half >> 1].wall;
+            sum.wall += graph->edges[half >> 1].wall;
+            sum.border += graph->edges[half >> 1].border;
         }
         half = rs_cluster_next(graph, root, half);
         if (half == start) {
             break;
         }
     }
-    return wall;
+    return sum;
 }
 
 /* The key of an edge by its opening alone. With `hopeful` the passage rule counts as met,
@@ -99,6 +105,29 @@ static uint32_t opening_key(const rs_merge_rules *rules, rs_graph *graph, uint32
                                      niche_key(rules->niche_cells, q, saddle));
 }
 
+/* Regions without a wall between them lie end to end, as pieces of a corridor do, when the
+ * opening takes this much of their widths and of the narrower one's. */
+#define END_TO_END_PERCENT 72u
+#define NARROWER_PERCENT 78u
+
+/* A number that grows with the opening when no wall explains why it is narrow, as there is none,
+ * or far less of it than of the opening, which is no door. Else 0. */
+static uint32_t unwalled_key(const rs_merge_rules *rules, uint32_t saddle, uint32_t p, uint32_t q,
+                             contact shared)
+{
+    bool end_to_end = shared.wall <= rules->teeth_cells &&
+                      openness(saddle, p, q, END_TO_END_PERCENT) != 0u &&
+                      100u * saddle >= NARROWER_PERCENT * rs_min_u32(p, q);
+    bool open_plan = rules->lived_in && shared.wall <= rules->no_wall_cells &&
+                     openness(saddle, p, q, rules->open_plan_percent) != 0u;
+    bool wide = rules->lived_in && shared.border > rules->door_cells &&
+                2u * shared.wall <= shared.border &&
+                openness(saddle, p, q, rules->passage_opening_percent) != 0u;
+    uint32_t share = saddle * saddle * (OPENING_KEY / 8u) / (p * q) + 1u;
+
+    return end_to_end || open_plan ? 2u * share : wide ? share : 0u;
+}
+
 /* The key of an edge under the rules as the graph stands; 0: the regions stay apart. */
 static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
 {
@@ -106,23 +135,23 @@ static uint32_t edge_key(const rs_merge_rules *rules, rs_graph *graph, uint32_t 
     uint16_t a = rs_cluster_root(graph->regions, graph->edges[e].a);
     uint16_t b = rs_cluster_root(graph->regions, graph->edges[e].b);
     uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
-    uint32_t key, open_plan, wall;
+    uint32_t key;
+    contact shared;
 
     if (a == b || saddle == 0u || p == 0u || q == 0u) {
         return 0;
     }
     key = opening_key(rules, graph, saddle, a, b, hopeful);
-    open_plan = openness(saddle, p, q, rules->open_plan_percent) != 0u
-                    ? saddle * saddle * (OPENING_KEY / 4u) / (p * q) + 1u
-                    : 0u;
-    if (key == 0u && open_plan == 0u) {
+    if (key == 0u && !rules->lived_in && openness(saddle, p, q, END_TO_END_PERCENT) == 0u) {
+        return 0; /* spares the way around the regions */
+    }
+    shared = find_contact(graph, a, b);
+    if (shared.wall >= rules->shared_wall_cells ||
+        (rules->lived_in && shared.wall >= rules->stub_cells &&
+         shared.border <= rules->door_cells)) {
         return 0;
     }
-    wall = shared_wall(graph, a, b, rules->shared_wall_cells);
-    if (wall >= rules->shared_wall_cells) {
-        return 0;
-    }
-    return wall <= rules->no_wall_cells ? rs_max_u32(key, open_plan) : key;
+    return rs_max_u32(key, unwalled_key(rules, saddle, p, q, shared));
 }
 
 /* One sweep over all edges, best first. Keys can only fall while a sweep goes on, but for

@@ -12,10 +12,15 @@ typedef struct rs_merge_rules {
     uint32_t niche_cells;            /* smaller regions stand alone only behind a narrowing */
     uint32_t room_opening_percent;   /* 1..100 */
     uint32_t passage_opening_percent;
-    uint32_t open_plan_percent;      /* 1..100 */
-    uint32_t no_wall_cells;          /* at most this much shared wall is none */
+    uint32_t teeth_cells;            /* up to here a wall may be the teeth of one that is askew */
     uint32_t shared_wall_cells;      /* from here on two regions stay apart */
     uint32_t passage_min_neighbours; /* 2..RS_MERGE_MAX_NEIGHBOURS */
+    /* The rest holds where furniture makes narrow places, so that walls have to decide. */
+    bool lived_in;
+    uint32_t open_plan_percent; /* 1..100 */
+    uint32_t no_wall_cells;     /* at most this much shared wall is none */
+    uint32_t stub_cells;        /* from here on a wall can hold a door */
+    uint32_t door_cells;        /* longer borders are no doors */
 } rs_merge_rules;
 
 #define RS_MERGE_MAX_NEIGHBOURS 8u

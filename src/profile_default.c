@@ -68,8 +68,12 @@ static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
     return area_mm2 / cell_mm2 + (area_mm2 % cell_mm2 != 0u); /* rounded up */
 }
 
-/* Shared wall below this length is a trick of the raster: a corner, a door frame. */
+/* Shared wall up to this length is a trick of the raster: a corner, a door frame ... */
 #define NO_WALL_MM 60u
+/* ... or, along a corridor that lies askew, the teeth of its walls. */
+#define TEETH_MM 200u
+/* A door hangs in a wall of at least this length, both sides together. */
+#define STUB_MM 300u
 
 static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm)
 {
@@ -80,26 +84,32 @@ static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolut
     rules.niche_cells = cells_of(config->niche_mm2, cell_mm2);
     rules.room_opening_percent = config->room_opening_percent;
     rules.passage_opening_percent = config->passage_opening_percent;
-    rules.open_plan_percent = config->open_plan_percent;
-    rules.no_wall_cells = NO_WALL_MM / resolution_mm;
     rules.shared_wall_cells =
         rs_min_u32(config->shared_wall_mm / resolution_mm, RS_GRAPH_LONGEST_WALL);
     rules.passage_min_neighbours = config->passage_min_neighbours;
+    rules.lived_in = false; /* only the graph tells */
+    rules.open_plan_percent = config->open_plan_percent;
+    rules.no_wall_cells = NO_WALL_MM / resolution_mm;
+    rules.teeth_cells = TEETH_MM / resolution_mm;
+    rules.stub_cells = rs_max_u32(1u, STUB_MM / resolution_mm);
+    rules.door_cells = config->door_mm / resolution_mm;
     return rules;
 }
 
-/* Smallest region that may stand without a neighbour. */
-static uint32_t isolated_cells(const roomseg_config *config, uint32_t smallest_cells,
-                               const rs_graph *graph)
+/* share/1000 of a number of cells, rounded down, without a product above 32 bits. */
+static uint32_t permille_of(uint32_t cells, uint32_t share)
+{
+    return cells / 1000u * share + cells % 1000u * share / 1000u;
+}
+
+static uint32_t total_area(const rs_graph *graph)
 {
     uint32_t total = 0;
 
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         total += graph->regions[r].area;
     }
-    /* total * permille / 1000, rounded down, without a product above 32 bits */
-    return rs_max_u32(smallest_cells, total / 1000u * config->isolated_permille +
-                                          total % 1000u * config->isolated_permille / 1000u);
+    return total;
 }
 
 /* Noise and clutter become free; free islands that could only be dropped in the end go at once,
@@ -140,7 +150,9 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, b->columns, ticker));
     if (status == ROOMSEG_OK) {
-        isolated = isolated_cells(config, rules.smallest_cells, &b->graph);
+        uint32_t floor = total_area(&b->graph);
+        isolated = rs_max_u32(rules.smallest_cells, permille_of(floor, config->isolated_permille));
+        rules.lived_in = b->graph.clutter > permille_of(floor, config->lived_in_permille);
     }
     STAGE(MERGE, rs_merge_run(&rules, &b->graph, b->heap, ticker));
     if (status == ROOMSEG_OK) {

@@ -17,13 +17,15 @@ import zlib
 # Field, its values from left to right, the home: size and seed of `roomseg simulate`.
 PICTURES = (
     ("speck_mm2", (0, 96000), "medium", 7),
-    ("clutter_mm", (0, 1000), "small", 24),
-    ("smallest_room_mm2", (0, 1000000, 4000000), "medium", 18),
+    ("clutter_mm", (0, 1500), "medium", 24),
+    ("smallest_room_mm2", (0, 1000000, 4000000), "small", 13),
     ("niche_mm2", (0, 3000000), "small", 19),
-    ("room_opening_percent", (60, 85, 100), "small", 8),
+    ("room_opening_percent", (60, 83), "medium", 20),
     ("passage_opening_percent", (100, 41), "medium", 24),
-    ("open_plan_percent", (100, 50, 30), "medium", 23),
-    ("shared_wall_mm", (200, 1000, 10000000), "medium", 23),
+    ("shared_wall_mm", (200, 1000), "small", 4),
+    ("lived_in_permille", (1000, 3), "medium", 20),
+    ("open_plan_percent", (100, 50), "small", 11),
+    ("door_mm", (10000, 950, 400), "small", 19),
     ("unwalled_percent", (0, 50), "medium", 12),
 )
 

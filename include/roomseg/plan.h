@@ -177,7 +177,7 @@
 
 /* The same for the default profile's parameters. */
 #define ROOMSEG_ARENA_SIZE_DEFAULT(w, h, resolution_mm)                                  \
-    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 1000u, resolution_mm), 1024u, 255u)
+    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 1500u, resolution_mm), 1024u, 255u)
 
 /* Capacities for homes, offices and labs as robots map them: of 52 real maps none needed more
  * than 43 % of these regions and 33 % of these rooms, turned, cluttered and coarser copies not
@@ -192,7 +192,7 @@
         16u + (size_t)(w) * (h) / 400u * (resolution_mm) / 100u * (resolution_mm) / 100u, \
         ROOMSEG_MAX_ROOMS))
 #define ROOMSEG_ARENA_SIZE_USUAL(w, h, resolution_mm)                                        \
-    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 1000u, resolution_mm),               \
+    ROOMSEG_ARENA_SIZE(w, h, ROOMSEG_PLAN_SMALL(96000u, 1500u, resolution_mm),               \
                        ROOMSEG_USUAL_REGIONS(w, h, resolution_mm),                           \
                        ROOMSEG_USUAL_ROOMS(w, h, resolution_mm))
 
@@ -213,7 +213,7 @@
 /* The default profile's parameters and ROOMSEG_ALIGN_ON. */
 #define ROOMSEG_ARENA_SIZE_DEFAULT_ALIGNED(w, h, resolution_mm)                              \
     ROOMSEG_ARENA_SIZE_ALIGNED(                                                              \
-        w, h, ROOMSEG_PLAN_SMALL(96000u, 1000u, resolution_mm), 255u,                         \
+        w, h, ROOMSEG_PLAN_SMALL(96000u, 1500u, resolution_mm), 255u,                         \
         ROOMSEG_ARENA_SIZE_DEFAULT(ROOMSEG_PLAN_TURNED_WIDTH(w, h),                          \
                                    ROOMSEG_PLAN_TURNED_HEIGHT(w, h), resolution_mm))
 

@@ -53,6 +53,7 @@ extern "C" {
 #define ROOMSEG_MAX_SMALLEST_ROOM_MM2 4000000000u
 #define ROOMSEG_MIN_SHARED_WALL_MM 200u
 #define ROOMSEG_MAX_SHARED_WALL_MM 10000000u
+#define ROOMSEG_MAX_DOOR_MM 10000u
 #define ROOMSEG_MAX_DILATION_MM 1000u
 #define ROOMSEG_MAX_BORDER_MM 1000000u
 #define ROOMSEG_MAX_REGIONS 65531u
@@ -162,12 +163,12 @@ typedef struct roomseg_config {
     /* The same for compact free-standing obstacles, such as a table, a bin, a pillar: the
      * bounding box at most this long on both sides, neither side more than twice the other,
      * and at least a third of it filled. [mm], 0 (none)..ROOMSEG_MAX_CLUTTER_MM; default
-     * 1000, paper 0. */
+     * 1500, paper 0. */
     uint32_t clutter_mm;
 
     /* Regions below this area never stand as a room of their own [mm2],
-     * 0..ROOMSEG_MAX_SMALLEST_ROOM_MM2; default 1,000,000 = 1 m2. Regions that touch no other are dropped
-     * (label 0) below the larger of this and isolated_permille of the free area. */
+     * 0..ROOMSEG_MAX_SMALLEST_ROOM_MM2; default 1,000,000 = 1 m2. Regions that touch no other
+     * are dropped (label 0) below the larger of this and isolated_permille of the free area. */
     uint32_t smallest_room_mm2;
     uint32_t isolated_permille; /* 0..1000; default 10 */
 
@@ -179,7 +180,9 @@ typedef struct roomseg_config {
 
     /* Two regions are one room when the opening between them is wide in proportion
      * to their own widths: opening >= percent/100 * sqrt(width_a * width_b), where a
-     * width is the diameter of the largest inscribed circle. 1..100; default 85. */
+     * width is the diameter of the largest inscribed circle. 1..100; default 83.
+     * Without a wall between them 72 percent are enough, when the opening takes 78 percent of
+     * the narrower width: two pieces of a corridor. */
     uint32_t room_opening_percent;
 
     /* The same between two regions that are both passages, that is, have
@@ -190,12 +193,23 @@ typedef struct roomseg_config {
 
     /* Walls between two regions, that is, obstacles of at most 350 mm with the one region
      * on this side and the other on that, tell more than the width of their opening.
-     * Without a shared wall they are one room from this opening on: 1..100, the same measure
-     * as room_opening_percent; default 50. From this length of shared wall on they are two
-     * rooms, whatever the opening [mm], ROOMSEG_MIN_SHARED_WALL_MM..
-     * ROOMSEG_MAX_SHARED_WALL_MM; default 1000. */
-    uint32_t open_plan_percent;
+     * From this length of shared wall on they are two rooms, whatever the opening [mm],
+     * ROOMSEG_MIN_SHARED_WALL_MM..ROOMSEG_MAX_SHARED_WALL_MM; default 1000. */
     uint32_t shared_wall_mm;
+
+    /* In a building that is lived in, what makes an opening narrow may be furniture, so that
+     * walls have to decide. A map shows one when more than this share of the floor is taken by
+     * certain obstacles that speck_mm2 and clutter_mm ignore (single cells are noise and do not
+     * count) [1/1000], 0..1000 (never); default 3. Then two regions
+     * - without a shared wall are one room from the opening open_plan_percent on: 1..100, the
+     *   same measure as room_opening_percent; default 50;
+     * - whose common border is longer than a door is wide, door_mm [mm], 0..
+     *   ROOMSEG_MAX_DOOR_MM, default 950, are one room, too, when they share at most half as
+     *   much wall and the opening is passage_opening_percent or more;
+     * - with a shorter border and at least 300 mm of shared wall stay two rooms. */
+    uint32_t lived_in_permille;
+    uint32_t open_plan_percent;
+    uint32_t door_mm;
 
     /* What was only seen through a window or an open door is no room: its border consists
      * of walls (cells of occupied_min or more) by less than this percentage of the share

@@ -103,7 +103,7 @@ static void test_every_small_size(void)
             TEST_ASSERT_EQUAL_UINT((width * height + 1) / 2, r.result.room_count);
             run_free(&r);
             config.speck_mm2 = 96000;
-            config.clutter_mm = 1000;
+            config.clutter_mm = 1500;
             r = run_checked(&config, &s.grid);
             run_free(&r);
             sketch_free(&s);
@@ -215,8 +215,8 @@ static void test_noise_and_clutter_do_not_shape_rooms(void)
         uint32_t x, y, width, height;
         bool shapes;
     } obstacles[] = {
-        {80, 60, 20, 20, false}, /* 1000 mm: clutter */
-        {80, 60, 21, 20, true},  /* 1050 mm: too long */
+        {80, 60, 30, 30, false}, /* 1500 mm: clutter */
+        {60, 60, 31, 30, true},  /* 1550 mm: too long */
         {80, 60, 20, 10, false}, /* twice as long as wide */
         {80, 60, 20, 9, true},   /* more than that: a piece of a wall */
         {30, 30, 38, 1, false},  /* 95,000 mm2: noise, whatever its shape */

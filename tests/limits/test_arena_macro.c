@@ -158,7 +158,7 @@ static void test_the_readme_formula(void)
                                   roomseg_arena_size(&config, sides[i], sides[i], 50, &exact));
             double cells = (sides[i] + 2.0) * (sides[i] + 2.0);
             double by_graph = cells + 105.0 * config.max_regions + 4.0 * sides[i];
-            double by_runs = cells + 30.0 * sides[i] + 1700.0;
+            double by_runs = cells + 30.0 * sides[i] + 3700.0;
             double by_ring = 1.125 * cells + 1000.0;
             double by_rooms = 128.0 * config.max_regions + 100.0 * config.max_rooms;
             double formula = by_graph > by_ring ? by_graph : by_ring;

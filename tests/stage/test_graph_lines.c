@@ -51,7 +51,7 @@ static void draw(const char *const *rows, uint32_t height)
     labels = stage_labels(&frame);
     cells = calloc((size_t)frame.width * height, 1);
     grid = (roomseg_grid){cells, frame.width, height, frame.width, 40};
-    graph = (rs_graph){regions, edges, 0, 0};
+    graph = (rs_graph){regions, edges, 0, 0, 0};
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
             uint16_t label = label_of(rows[y][x]);

@@ -8,7 +8,7 @@ static roomseg_config only_up_to(const roomseg_config *config, join_rule last) {
     roomseg_config c = *config;
     c.passage_opening_percent = last < JOIN_PASSAGE ? 100 : c.passage_opening_percent;
     c.niche_mm2 = last < JOIN_NICHE ? 0 : c.niche_mm2;
-    c.open_plan_percent = last < JOIN_OPEN_PLAN ? 100 : c.open_plan_percent;
+    c.lived_in_permille = last < JOIN_NO_WALL ? 1000 : c.lived_in_permille;
     c.smallest_room_mm2 = last < JOIN_SMALL ? 0 : c.smallest_room_mm2;
     return c;
 }

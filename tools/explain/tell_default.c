@@ -69,12 +69,14 @@ static void tell_walls_between(const explanation *e, FILE *page, int *section) {
 static const char *const rule_texts[JOIN_COUNT] = {
     "They stay apart.",
     "The opening is wide in proportion to the two regions: at least "
-    "<code>room_opening_percent</code> of their own width.",
+    "<code>room_opening_percent</code> of their own width, or 72 % when there is no wall between "
+    "them.",
     "Both are passages, with <code>passage_min_neighbours</code> neighbours or more, and the "
     "opening is at least <code>passage_opening_percent</code> of their width.",
     "One is smaller than <code>niche_mm2</code> and open on nine tenths of its own width.",
-    "They share no wall, and the opening is at least <code>open_plan_percent</code> of their "
-    "width.",
+    "The floor is cluttered (<code>lived_in_permille</code>), and either they share no wall and the "
+    "opening is at least <code>open_plan_percent</code> of their width, or their border is longer "
+    "than <code>door_mm</code> and than twice the wall they share.",
     "One is smaller than <code>smallest_room_mm2</code>: it joins the neighbour with the widest "
     "opening.",
 };
@@ -111,7 +113,9 @@ static void tell_graph(const explanation *e, FILE *page, int *section) {
     page_parameter(page, "passage_opening_percent", c->passage_opening_percent, " %");
     page_parameter(page, "passage_min_neighbours", c->passage_min_neighbours, "");
     page_area(page, "niche_mm2", c->niche_mm2, cell_mm(e));
+    page_parameter(page, "lived_in_permille", c->lived_in_permille, " &permil;");
     page_parameter(page, "open_plan_percent", c->open_plan_percent, " %");
+    page_length(page, "door_mm", c->door_mm, cell_mm(e));
     page_area(page, "smallest_room_mm2", c->smallest_room_mm2, cell_mm(e));
     page_parameters_end(page);
     tell_rule_table(e, page);

@@ -7,9 +7,9 @@ from .text import mean, percent, setting, table, verdict
 
 # Values to pick from; the default joins them when it is not among them.
 GRID = {
-    "room_opening_percent": (80, 85, 90),
+    "room_opening_percent": (79, 83, 87),
     "passage_opening_percent": (36, 41, 46),
-    "open_plan_percent": (40, 50, 60, 100),
+    "lived_in_permille": (0, 3, 1000),
     "shared_wall_mm": (700, 1000, 1500),
     "niche_mm2": (0, 3000000),
 }

@@ -16,7 +16,7 @@ enum {
 static uint8_t cells[HEIGHT][WIDTH]; /* as SLAM would fill it */
 static uint16_t labels[HEIGHT][WIDTH];
 static uint64_t arena[ROOMSEG_ARENA_SIZE(WIDTH, HEIGHT,
-                                         ROOMSEG_PLAN_SMALL(96000u, 1000u, RESOLUTION_MM),
+                                         ROOMSEG_PLAN_SMALL(96000u, 1500u, RESOLUTION_MM),
                                          MAX_REGIONS, MAX_ROOMS) / 8];
 
 int main(void)

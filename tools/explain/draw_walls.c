@@ -52,7 +52,7 @@ enum { LEFT = 40, BAR = 11, TOP = 30, HEIGHT = 300, BOTTOM = 60 };
 
 static void draw_axis(canvas *c) {
     for (int degrees = 0; degrees <= 90; degrees += 15) {
-        char text[8];
+        char text[12];
         int x = LEFT + degrees * BAR;
         snprintf(text, sizeof text, "%d", degrees);
         draw_line(c, x, TOP + HEIGHT, x, TOP + HEIGHT + 8, 1, PAINT_QUIET);

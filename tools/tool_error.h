@@ -8,8 +8,8 @@ typedef struct tool_error {
 } tool_error;
 
 /* Formats a message as printf does; the file's name belongs in front: "FILE: cause".
- * Control characters become '?', so that a file's name cannot break the line; a text
- * that is too long ends in "...". error may be NULL. */
+ * Control characters become '?', so that a file's name cannot break the line; a text that is
+ * too long loses its middle to "...", so that the cause stays. error may be NULL. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif

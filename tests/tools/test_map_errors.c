@@ -1,4 +1,5 @@
 /* Maps that must be refused, with one line that names the file and the cause. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -332,6 +333,20 @@ static void test_files_that_cannot_be_read(void) {
     expect_refusal("line\nbreak.png", "line?break.png", "No such file");
 }
 
+static void test_a_long_name_leaves_the_cause(void) {
+    char name[1001];
+    memset(name, 'n', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    for (size_t i = 100; i < sizeof name - 1; i += 100) {
+        name[i] = '/';
+    }
+    expect_refusal(name, "nnn/nnn", "nnn: No such file");
+
+    char yaml[1200];
+    snprintf(yaml, sizeof yaml, "image: %s\n" RESOLUTION ORIGIN NEGATE THRESHOLDS, name);
+    expect_refusal(scratch_write_text("long.yaml", yaml), "nnn/nnn", "nnn: No such file");
+}
+
 static void test_a_yaml_cannot_be_inverted(void) {
     const map_options options = {0, 1};
     map m;
@@ -353,6 +368,7 @@ int main(void) {
     RUN_TEST(test_yamls_that_are_too_large);
     RUN_TEST(test_the_image_of_a_yaml_is_named);
     RUN_TEST(test_files_that_cannot_be_read);
+    RUN_TEST(test_a_long_name_leaves_the_cause);
     RUN_TEST(test_a_yaml_cannot_be_inverted);
     return UNITY_END();
 }

@@ -1,18 +1,28 @@
 #!/bin/sh
 # Fuzzes the library and the readers of files, all targets at once, and fails on a finding.
 #
-#   tests/fuzz/run.sh [SECONDS [TARGET...]]    SECONDS is 10, the targets are all of
-#                                              library, map, png, labels
+#   tests/fuzz/run.sh [check|SECONDS [TARGET...]]    all targets: library, map, png, labels
 #
-# Needs clang. Begins with the inputs in tests/fuzz/corpus and those of earlier runs in
-# build/fuzz/found; a finding is written to build/fuzz/finding-TARGET-*, and
+# check, the default, tries the same inputs each time, so that only a change of the code can make
+# it fail. SECONDS is for finding something new: other inputs each time, from those of earlier
+# runs in build/fuzz/found on. Both begin with tests/fuzz/corpus. Needs clang. A finding is
+# written to build/fuzz/finding-TARGET-*, and
 #   build/fuzz/TARGET FILE
 # repeats it.
 set -eu
 
+usage() {
+    echo "usage: tests/fuzz/run.sh [check|SECONDS [library|map|png|labels]...]" >&2
+    exit 2
+}
+
 cd "$(dirname "$0")/../.."
-seconds=${1:-10}
+seconds=${1:-check}
 [ $# -eq 0 ] || shift
+case $seconds in
+check) ;;
+*[!0-9]* | "") usage ;;
+esac
 targets=${*:-library map png labels}
 out=build/fuzz
 
@@ -57,21 +67,37 @@ build() { # TARGET
         clang $flags $stb -fsanitize=fuzzer "tests/fuzz/fuzz_$1.c" $readers $extra \
             -o "$out/$1" -lm
         ;;
-    *)
-        echo "usage: tests/fuzz/run.sh [SECONDS [library|map|png|labels]...]" >&2
-        exit 2
-        ;;
+    *) usage ;;
     esac
 }
 
+# The same inputs each time: a number of runs instead of a time, seeds in the order of their names
+# instead of the file system's, and no hints from comparisons, which depend on addresses.
+begin_check() { # TARGET, sets arguments
+    case $1 in
+    library) runs=4000 ;;
+    *) runs=200000 ;;
+    esac
+    rm -rf "$out/checked/$1"
+    mkdir -p "$out/checked/$1"
+    (LC_ALL=C && export LC_ALL && echo tests/fuzz/corpus/"$1"/* | tr ' ' ,) >"$out/$1.seeds"
+    arguments="-seed=1 -runs=$runs -use_cmp=0 -reload=0 -seed_inputs=@$out/$1.seeds
+        $out/checked/$1"
+}
+
 fuzz() { # TARGET
-    mkdir -p "$out/found/$1"
     words=
     [ "$1" != png ] || words=-dict=tests/fuzz/png.dict
     [ "$1" != map ] && [ "$1" != labels ] || words=-dict=tests/fuzz/map.dict
-    nice -n 19 "$out/$1" $words -max_len=1500 -max_total_time="$seconds" -print_final_stats=1 \
-        -artifact_prefix="$out/finding-$1-" "$out/found/$1" "tests/fuzz/corpus/$1" \
-        >"$out/$1.log" 2>&1
+    if [ "$seconds" = check ]; then
+        begin_check "$1"
+    else
+        mkdir -p "$out/found/$1"
+        arguments="-max_total_time=$seconds $out/found/$1 tests/fuzz/corpus/$1"
+    fi
+    # shellcheck disable=SC2086 # words
+    nice -n 19 "$out/$1" $words -max_len=1500 -print_final_stats=1 \
+        -artifact_prefix="$out/finding-$1-" $arguments >"$out/$1.log" 2>&1
 }
 
 for target in $targets; do

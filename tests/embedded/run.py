@@ -28,7 +28,8 @@ CORE = (("m4", "-Os", False, "none"), ("m7", "-O2", False, "none"),
 CORE_HOSTED = ("linux-s390x",)
 LEVELS = ("-O0", "-O2", "-Os")
 # Minutes in an emulator; only with --all.
-TOO_LONG = re.compile("stage_(lifetime|ridge)$|limits_cancel$|tools_(explain_files|simulate)$|real_")
+TOO_LONG = re.compile("stage_(lifetime|ridge)$|limits_cancel$|real_|"
+                      "tools_(explain_files|simulate)$")
 
 
 def compare(title, runs, host_runs):

@@ -1,67 +1,7 @@
 #!/bin/sh
 # Runs the roomseg command as a user does: exit codes, messages, output files.
 # usage: cli_test.sh PATH_OF_ROOMSEG
-# One line a check; exit code 1 when one fails.
-case $1 in
-/*) roomseg=$1 ;;
-*) roomseg=$PWD/$1 ;;
-esac
-[ -x "$roomseg" ] || {
-    echo "usage: cli_test.sh PATH_OF_ROOMSEG" >&2
-    exit 2
-}
-LC_ALL=C
-export LC_ALL
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-cd "$work" || exit 1
-failures=0
-
-# verdict NAME CONDITION...: the condition is a command
-verdict() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok: $name"
-    else
-        echo "FAILED: $name ($*)"
-        sed 's/^/    stdout: /' stdout | head -n 5
-        sed 's/^/    stderr: /' stderr | head -n 5
-        failures=$((failures + 1))
-    fi
-}
-
-run() {
-    "$roomseg" "$@" >stdout 2>stderr
-    code=$?
-}
-
-one_line() {
-    [ "$(wc -l <stderr)" -eq 1 ]
-}
-
-# refused NAME MESSAGE ARGUMENT...: bad input, one line that holds the message
-refused() {
-    name=$1
-    message=$2
-    shift 2
-    run "$@"
-    verdict "$name: exit 1" [ "$code" -eq 1 ]
-    verdict "$name: one line" one_line
-    verdict "$name: says why" grep -qF -e "$message" stderr
-}
-
-# misused NAME MESSAGE ARGUMENT...: wrong usage, the message and a hint
-misused() {
-    name=$1
-    message=$2
-    shift 2
-    run "$@"
-    verdict "$name: exit 2" [ "$code" -eq 2 ]
-    verdict "$name: says why" grep -qF -e "$message" stderr
-    verdict "$name: shows the usage" grep -q '^usage: roomseg' stderr
-}
+. "$(dirname "$0")/checks.sh"
 
 # Two rooms of 3 x 3 m with a door, white or black free.
 # plan FREE OCCUPIED
@@ -338,5 +278,4 @@ verdict "explain, full disk: one line" one_line
 verdict "explain, full disk: says why" grep -q 'explained/.*: cannot write: ' stderr
 verdict "explain, full disk: old files stay" diff -r explained_before explained
 
-echo "$failures failed"
-[ "$failures" -eq 0 ]
+checks_end

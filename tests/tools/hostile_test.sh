@@ -2,53 +2,20 @@
 # Input that means harm, or that nobody thought of: the command ends with one clear line and exit
 # code 1, soon, and writes nothing, or it does its work.
 # usage: hostile_test.sh PATH_OF_ROOMSEG
-# One line a check; exit code 1 when one fails.
-case $1 in
-/*) roomseg=$1 ;;
-*) roomseg=$PWD/$1 ;;
-esac
-[ -x "$roomseg" ] || {
-    echo "usage: hostile_test.sh PATH_OF_ROOMSEG" >&2
-    exit 2
-}
-LC_ALL=C
-export LC_ALL
-work=$(mktemp -d) || exit 1
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-cd "$work" || exit 1
-failures=0
+. "$(dirname "$0")/checks.sh"
 
-verdict() { # NAME CONDITION...
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok: $name"
-    else
-        echo "FAILED: $name ($*)"
-        sed 's/^/    /' message | head -n 5
-        failures=$((failures + 1))
-    fi
-}
-
-# refused NAME MESSAGE ARGUMENT...: exit code 1, one line that holds the message, no output files
-refused() {
-    name=$1
-    text=$2
-    shift 2
-    "$roomseg" "$@" >output 2>message
-    verdict "$name: exit 1" [ $? -eq 1 ]
-    verdict "$name: one line" [ "$(wc -l <message)" -eq 1 ]
-    verdict "$name: says why" grep -qF -e "$text" message
-    verdict "$name: no files" [ ! -e out ]
+# harmless NAME MESSAGE ARGUMENT...: refused, and no output files
+harmless() {
+    refused "$@"
+    verdict "$1: no files" [ ! -e out ]
 }
 
 # accepted NAME ARGUMENT...
 accepted() {
     name=$1
     shift
-    "$roomseg" "$@" >output 2>message
-    verdict "$name: exit 0" [ $? -eq 0 ]
+    run "$@"
+    verdict "$name: exit 0" [ "$code" -eq 0 ]
     rm -rf out
 }
 
@@ -59,11 +26,11 @@ image() { # WIDTH HEIGHT BYTE: a PGM of one value
 
 # ---- sizes
 image 100000 1 '\000' >wide.pgm
-refused "100,000 x 1" "100000 x 1 cells are too many" segment wide.pgm -o out
+harmless "100,000 x 1" "100000 x 1 cells are too many" segment wide.pgm -o out
 image 65535 1 '\000' >wide.pgm
-refused "wider than the library takes" "wide.pgm: " segment wide.pgm -o out
+harmless "wider than the library takes" "wide.pgm: " segment wide.pgm -o out
 image 1 65534 '\000' >high.pgm
-refused "higher than the library takes" "high.pgm: " segment high.pgm -o out
+harmless "higher than the library takes" "high.pgm: " segment high.pgm -o out
 image 65533 1 '\000' >wide.pgm
 accepted "as wide as it gets" segment wide.pgm -o out
 image 1 1 '\000' >one.pgm
@@ -71,84 +38,83 @@ accepted "one free cell" segment one.pgm -o out
 accepted "one free cell, turned" segment one.pgm --align -o out
 accepted "one free cell, the paper's way" segment one.pgm --profile paper -o out
 printf 'P5 999999999 999999999 255\n' >vast.pgm
-refused "sizes whose product overflows" "too many" segment vast.pgm -o out
+harmless "sizes whose product overflows" "too many" segment vast.pgm -o out
 printf 'P5 4294967296 1 255\na' >vast.pgm
-refused "a width beyond 32 bits" "holds no width" segment vast.pgm -o out
+harmless "a width beyond 32 bits" "holds no width" segment vast.pgm -o out
 
 # ---- things that are no files
 mkdir folder
-refused "a folder as map" "folder: Is a directory" segment folder -o out
-refused "an empty file" "/dev/null: the file is empty" segment /dev/null -o out
+harmless "a folder as map" "folder: Is a directory" segment folder -o out
+harmless "an empty file" "/dev/null: the file is empty" segment /dev/null -o out
 yaml() { # IMAGE
     printf 'image: %s\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n' "$1"
     printf 'occupied_thresh: 0.65\nfree_thresh: 0.2\n'
 }
 yaml self.yaml >self.yaml
-refused "a YAML that is its own image" "neither a PNG nor a PGM" segment self.yaml -o out
+harmless "a YAML that is its own image" "neither a PNG nor a PGM" segment self.yaml -o out
 yaml folder >dir.yaml
-refused "a YAML whose image is a folder" "folder: Is a directory" segment dir.yaml -o out
+harmless "a YAML whose image is a folder" "folder: Is a directory" segment dir.yaml -o out
 yaml /dev/null >null.yaml
-refused "a YAML whose image is empty" "/dev/null: the file is empty" segment null.yaml -o out
+harmless "a YAML whose image is empty" "/dev/null: the file is empty" segment null.yaml -o out
 yaml ../../../../../../no/such >far.yaml
-refused "a YAML whose image is far away" "No such file" segment far.yaml -o out
+harmless "a YAML whose image is far away" "No such file" segment far.yaml -o out
 head -c 70000 /dev/zero | tr '\000' '#' >long.yaml
-refused "a text without end" "neither a PNG or PGM image nor" segment long.yaml -o out
+harmless "a text without end" "neither a PNG or PGM image nor" segment long.yaml -o out
 ln -s loop loop
-refused "a link to itself" "loop: " segment loop -o out
+harmless "a link to itself" "loop: " segment loop -o out
 long=$(head -c 255 /dev/zero | tr '\000' n)
-refused "a name without a file" "No such file" segment "$long" -o out
-refused "a name that is too long" "File name too long" segment "n$long" -o out
-refused "line breaks in a name" "No such file" segment "$(printf 'a\nb\033[2J')" -o out
-verdict "control characters do not get through" [ "$(tr -d '\012\040-\176' <message | wc -c)" -eq 0 ]
+harmless "a name without a file" "No such file" segment "$long" -o out
+harmless "a name that is too long" "File name too long" segment "n$long" -o out
+harmless "line breaks in a name" "No such file" segment "$(printf 'a\nb\033[2J')" -o out
+verdict "control characters do not get through" [ "$(tr -d '\012\040-\176' <stderr | wc -c)" -eq 0 ]
 
 # ---- other commands
 image 4 4 '\001' >labels.pgm
 image 4 5 '\001' >other.pgm
 image 4 4 '\000' >zero.pgm
-refused "labels of another size" "labels.pgm: " eval --labels labels.pgm --truth other.pgm
-refused "a truth without rooms" "holds no room" eval --labels labels.pgm --truth zero.pgm
-refused "labels that are missing" "No such file" eval --labels none --truth zero.pgm
-refused "a truth that is a folder" "Is a directory" eval --labels labels.pgm --truth folder
+harmless "labels of another size" "labels.pgm: " eval --labels labels.pgm --truth other.pgm
+harmless "a truth without rooms" "holds no room" eval --labels labels.pgm --truth zero.pgm
+harmless "labels that are missing" "No such file" eval --labels none --truth zero.pgm
+harmless "a truth that is a folder" "Is a directory" eval --labels labels.pgm --truth folder
 accepted "labels without rooms" eval --labels zero.pgm --truth labels.pgm
-refused "a data set without maps" "folder" bench folder
-refused "a data set that is a file" "one.pgm" bench one.pgm
+harmless "a data set without maps" "folder" bench folder
+harmless "a data set that is a file" "one.pgm" bench one.pgm
 mkdir bad && cp vast.pgm bad/map.pgm
-"$roomseg" bench bad >output 2>message
-verdict "a data set with a bad map: exit 1" [ $? -eq 1 ]
-verdict "a data set with a bad map: names it" grep -q '^roomseg: bad/map.pgm: ' message
-refused "a simulated flat in a file" "Not a directory" simulate --seed 1 -o one.pgm
+run bench bad
+verdict "a data set with a bad map: exit 1" [ "$code" -eq 1 ]
+verdict "a data set with a bad map: names it" grep -q '^roomseg: bad/map.pgm: ' stderr
+harmless "a simulated flat in a file" "Not a directory" simulate --seed 1 -o one.pgm
 
 # ---- outputs that cannot be written
 if [ -c /dev/full ]; then
     for command in "eval --labels labels.pgm --truth labels.pgm" "--help" "--version"; do
         # shellcheck disable=SC2086 # words
-        "$roomseg" $command >/dev/full 2>message
+        "$roomseg" $command >/dev/full 2>stderr
         verdict "$command, full standard output: exit 1" [ $? -eq 1 ]
     done
 fi
-"$roomseg" eval --labels labels.pgm --truth labels.pgm >&- 2>message
+"$roomseg" eval --labels labels.pgm --truth labels.pgm >&- 2>stderr
 verdict "closed standard output: exit 1" [ $? -eq 1 ]
 
 # ---- killed at any moment: an output is missing or whole, an old one stays or is replaced whole
 image 700 700 '\000' >square.pgm
-"$roomseg" segment square.pgm -o whole >output 2>message
+run segment square.pgm -o whole
 for step in 0 1 2 3 4 5 6 7 8 9; do
-    "$roomseg" segment square.pgm -o killed >output 2>message &
+    "$roomseg" segment square.pgm -o killed >stdout 2>stderr &
     process=$!
     sleep 0.00$step
-    kill -KILL $process 2>kill_message
-    wait $process 2>wait_message
+    kill -KILL $process 2>kill_stderr
+    wait $process 2>wait_stderr
     for file in labels.pgm rooms.png rooms.json; do
         [ ! -e killed/$file ] || cmp -s killed/$file whole/$file || {
-            echo "killed/$file differs" >message
+            echo "killed/$file differs" >stderr
             verdict "killed after 0.00$step s: whole files" false
         }
     done
 done
 verdict "killed: whole files or none" true
 rm -f killed/*.tmp
-"$roomseg" segment square.pgm -o killed >output 2>message
+run segment square.pgm -o killed
 verdict "killed, then run again" diff -r whole killed
 
-echo "$failures failed"
-[ "$failures" -eq 0 ]
+checks_end

@@ -1,39 +1,12 @@
 #!/bin/sh
 # Runs the study and draws the parameter pictures, both on little; checks what they write.
 # usage: study_test.sh PATH_OF_ROOMSEG SOURCE_FOLDER
-case $1 in
-/*) roomseg=$1 ;;
-*) roomseg=$PWD/$1 ;;
-esac
-source=$2
-[ -x "$roomseg" ] && [ -f "$source/tools/study.py" ] || {
-    echo "usage: study_test.sh PATH_OF_ROOMSEG SOURCE_FOLDER" >&2
-    exit 2
-}
 command -v python3 >/dev/null || {
     echo "skipped: there is no python3"
     exit 77
 }
-LC_ALL=C
-export LC_ALL
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-cd "$work" || exit 1
-failures=0
-
-# verdict NAME CONDITION...: the condition is a command
-verdict() {
-    name=$1
-    shift
-    if "$@"; then
-        echo "ok: $name"
-    else
-        echo "FAILED: $name ($*)"
-        sed 's/^/    stderr: /' stderr | tail -n 5
-        failures=$((failures + 1))
-    fi
-}
+source=$(cd "$2" && pwd) || exit 2
+. "$(dirname "$0")/checks.sh"
 
 study() {
     python3 "$source/tools/study.py" "$@" >stdout 2>stderr
@@ -110,5 +83,4 @@ for field in $("$roomseg" bench plans --json 2>/dev/null |
     verdict "docs/parameters.md explains $field" grep -q "\`$field\`" "$source/docs/parameters.md"
 done
 
-echo "$failures failed"
-[ "$failures" -eq 0 ]
+checks_end

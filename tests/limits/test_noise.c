@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "guard.h"
+#include "random.h"
 #include "run.h"
 #include "sketch.h"
 #include "unity.h"
@@ -26,18 +27,9 @@ void tearDown(void)
     }
 }
 
-/* xorshift32 (Marsaglia 2003), the same numbers everywhere. */
-static uint32_t next_random(void)
-{
-    state ^= state << 13;
-    state ^= state >> 17;
-    state ^= state << 5;
-    return state;
-}
-
 static uint32_t random_in(uint32_t low, uint32_t high)
 {
-    return low + next_random() % (high - low + 1);
+    return low + random_next(&state) % (high - low + 1);
 }
 
 /* Blobs of random values over a ground that is mostly free, then single cells. */

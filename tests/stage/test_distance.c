@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "distance.h"
+#include "random.h"
 #include "stage.h"
 #include "unity.h"
 
@@ -23,13 +24,9 @@ void tearDown(void)
     free(before);
 }
 
-/* xorshift32 (Marsaglia 2003), the same numbers everywhere. */
 static uint32_t next_random(uint32_t range)
 {
-    state ^= state << 13;
-    state ^= state >> 17;
-    state ^= state << 5;
-    return state % range;
+    return random_next(&state) % range;
 }
 
 static void prepare(uint32_t width, uint32_t height)

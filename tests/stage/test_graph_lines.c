@@ -5,57 +5,29 @@
 #include <string.h>
 
 #include "cluster.h"
+#include "flood.h"
 #include "graph_lines.h"
-#include "stage.h"
 #include "unity.h"
 
-enum { MAX_REGIONS = 8, MAX_EDGES = 24 };
+enum { MAX_REGIONS = 8, MAX_EDGES = 24, MAX_CELLS = 128 };
 
-static rs_frame frame;
-static uint8_t *surface, *cells;
-static rs_labels labels;
+static uint8_t cells[MAX_CELLS];
 static roomseg_grid grid;
 static rs_region regions[MAX_REGIONS + 1];
 static rs_edge edges[MAX_EDGES];
 static rs_graph graph;
 
-void setUp(void)
-{
-    surface = NULL;
-    cells = NULL;
-    labels.cells = NULL;
-}
-
-void tearDown(void)
-{
-    free(surface);
-    free(cells);
-    free(labels.cells);
-}
-
-static uint16_t label_of(char c)
-{
-    if (c == '#') {
-        return RS_BACKGROUND;
-    }
-    if (c == '*') {
-        return RS_LINE;
-    }
-    return isalpha((unsigned char)c) ? (uint16_t)(c - 'a' + 1) : (uint16_t)0;
-}
-
 static void draw(const char *const *rows, uint32_t height)
 {
-    frame = stage_frame((uint32_t)strlen(rows[0]), height);
-    surface = stage_buffer(&frame);
-    labels = stage_labels(&frame);
-    cells = calloc((size_t)frame.width * height, 1);
+    flood_prepare((uint32_t)strlen(rows[0]), height);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32(MAX_CELLS, frame.width * height);
+    memset(cells, 0, sizeof cells);
     grid = (roomseg_grid){cells, frame.width, height, frame.width, 40};
     graph = (rs_graph){regions, edges, 0, 0, 0};
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
-            uint16_t label = label_of(rows[y][x]);
-            labels.cells[y * frame.width + x] = label;
+            uint16_t label = flood_letter(rows[y][x]);
+            *label_at(x, y) = label;
             surface[rs_frame_index(&frame, x, y)] = (uint8_t)(1 + x);
             if (label <= MAX_REGIONS && label > graph.region_count) {
                 graph.region_count = label;
@@ -74,7 +46,7 @@ static int build(uint32_t max_edges)
 static const rs_edge *edge_of(char p, char q)
 {
     for (uint32_t e = 0; e < graph.edge_count; e++) {
-        if (edges[e].a == label_of(p) && edges[e].b == label_of(q)) {
+        if (edges[e].a == flood_letter(p) && edges[e].b == flood_letter(q)) {
             return &edges[e];
         }
     }
@@ -95,15 +67,15 @@ static void expect(const char *const *rows)
 {
     for (uint32_t y = 0; y < frame.height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
-            uint16_t found = labels.cells[y * frame.width + x];
+            uint16_t found = *label_at(x, y);
             char c = rows[y][x];
             if (isupper((unsigned char)c)) {
                 TEST_ASSERT_NOT_EQUAL_UINT16(0, found);
                 TEST_ASSERT_EQUAL_UINT16(
-                    rs_cluster_root(regions, label_of((char)tolower((unsigned char)c))),
+                    rs_cluster_root(regions, flood_letter((char)tolower((unsigned char)c))),
                     rs_cluster_root(regions, found));
             } else {
-                TEST_ASSERT_EQUAL_UINT16(label_of(c), found);
+                TEST_ASSERT_EQUAL_UINT16(flood_letter(c), found);
             }
         }
     }
@@ -185,9 +157,9 @@ static void test_a_crossing_stays_without_label(void)
     TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, build(MAX_EDGES));
     rs_cluster_unite(&graph, rs_cluster_unite(&graph, 1, 3), 2);
     resolve();
-    TEST_ASSERT_EQUAL_UINT16(0, labels.cells[5 * frame.width + 5]);
-    TEST_ASSERT_NOT_EQUAL_UINT16(0, labels.cells[5 * frame.width + 3]);
-    TEST_ASSERT_NOT_EQUAL_UINT16(0, labels.cells[3 * frame.width + 5]);
+    TEST_ASSERT_EQUAL_UINT16(0, *label_at(5, 5));
+    TEST_ASSERT_NOT_EQUAL_UINT16(0, *label_at(3, 5));
+    TEST_ASSERT_NOT_EQUAL_UINT16(0, *label_at(5, 3));
     TEST_ASSERT_EQUAL_UINT(10, regions[rs_cluster_root(regions, 1)].peak);
 }
 

@@ -5,25 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "flood.h"
 #include "spread.h"
-#include "stage.h"
 #include "unity.h"
-
-static rs_frame frame;
-static uint8_t *surface;
-static rs_labels labels;
-
-void setUp(void)
-{
-    surface = NULL;
-    labels.cells = NULL;
-}
-
-void tearDown(void)
-{
-    free(surface);
-    free(labels.cells);
-}
 
 static uint16_t label_of(char character)
 {
@@ -37,16 +21,14 @@ static uint16_t label_of(char character)
 
 static void draw(const char *const *rows, uint32_t height)
 {
-    frame = stage_frame((uint32_t)strlen(rows[0]), height);
-    surface = stage_buffer(&frame);
-    labels = stage_labels(&frame);
+    flood_prepare((uint32_t)strlen(rows[0]), height);
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
             char c = rows[y][x];
             surface[rs_frame_index(&frame, x, y)] =
                 c == '#' ? RS_SPREAD_WALL
                          : (isupper((unsigned char)c) ? RS_SPREAD_SETTLED : RS_SPREAD_OPEN);
-            labels.cells[(size_t)y * frame.width + x] = label_of(c);
+            *label_at(x, y) = label_of(c);
         }
     }
 }
@@ -67,8 +49,7 @@ static void expect(const char *const *rows)
 {
     for (uint32_t y = 0; y < frame.height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
-            TEST_ASSERT_EQUAL_UINT16(label_of(rows[y][x]),
-                                     labels.cells[(size_t)y * frame.width + x]);
+            TEST_ASSERT_EQUAL_UINT16(label_of(rows[y][x]), *label_at(x, y));
         }
     }
 }
@@ -154,10 +135,6 @@ static void test_a_full_queue_loses_nothing(void)
                 TEST_ASSERT_FALSE((x < 60 && label != 1) || (x >= 90 && label != 2));
             }
         }
-        free(surface);
-        free(labels.cells);
-        surface = NULL;
-        labels.cells = NULL;
     }
 }
 

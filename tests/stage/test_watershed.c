@@ -2,46 +2,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stage.h"
+#include "flood.h"
+#include "random.h"
 #include "unity.h"
 
 enum { UNTOUCHED = 0xFFFD };
 
-static rs_frame frame;
-static uint8_t *surface;
-static rs_labels labels;
 static uint32_t count;
-static uint32_t state;
+static uint32_t state = 7;
 
-void setUp(void)
-{
-    surface = NULL;
-    labels.cells = NULL;
-    state = 7;
-}
-
-void tearDown(void)
-{
-    free(surface);
-    free(labels.cells);
-}
-
-/* xorshift32 (Marsaglia 2003), the same numbers everywhere. */
 static uint32_t next_random(uint32_t range)
 {
-    state ^= state << 13;
-    state ^= state >> 17;
-    state ^= state << 5;
-    return state % range;
+    return random_next(&state) % range;
 }
 
 static void prepare(uint32_t width, uint32_t height)
 {
-    free(surface);
-    free(labels.cells);
-    frame = stage_frame(width, height);
-    surface = stage_buffer(&frame);
-    labels = stage_labels(&frame);
+    flood_prepare(width, height);
     for (uint32_t i = 0; i < width * height; i++) {
         labels.cells[i] = UNTOUCHED;
     }
@@ -50,11 +27,6 @@ static void prepare(uint32_t width, uint32_t height)
 static uint8_t *at(uint32_t x, uint32_t y)
 {
     return &surface[rs_frame_index(&frame, x, y)];
-}
-
-static uint16_t *label_at(uint32_t x, uint32_t y)
-{
-    return &labels.cells[(size_t)y * labels.stride + x];
 }
 
 static int run(uint32_t capacity, uint32_t max_regions, rs_ticker *ticker)

@@ -4,57 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stage.h"
+#include "flood.h"
 #include "unity.h"
 #include "watershed_lines.h"
-
-static rs_frame frame;
-static uint8_t *surface;
-static rs_labels labels;
-
-void setUp(void)
-{
-    surface = NULL;
-    labels.cells = NULL;
-}
-
-void tearDown(void)
-{
-    free(surface);
-    free(labels.cells);
-}
-
-static void prepare(uint32_t width, uint32_t height)
-{
-    tearDown();
-    frame = stage_frame(width, height);
-    surface = stage_buffer(&frame);
-    labels = stage_labels(&frame);
-}
-
-static uint16_t *label_at(uint32_t x, uint32_t y)
-{
-    return &labels.cells[(size_t)y * labels.stride + x];
-}
-
-static uint16_t label_of(char c)
-{
-    if (c == '#') {
-        return RS_BACKGROUND;
-    }
-    if (c == '*') {
-        return RS_LINE;
-    }
-    return isalpha((unsigned char)c) ? (uint16_t)(c - 'a' + 1) : (uint16_t)0;
-}
 
 /* heights: rows of digits, or NULL: flat. */
 static void draw(const char *const *markers, const char *const *heights, uint32_t height)
 {
-    prepare((uint32_t)strlen(markers[0]), height);
+    flood_prepare((uint32_t)strlen(markers[0]), height);
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
-            *label_at(x, y) = label_of(markers[y][x]);
+            *label_at(x, y) = flood_letter(markers[y][x]);
             if (heights != NULL) {
                 surface[rs_frame_index(&frame, x, y)] = (uint8_t)(heights[y][x] - '0');
             }
@@ -82,7 +42,7 @@ static void check(const char *const *markers, const char *const *heights,
     TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, flood(2048, &ticker));
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
-            TEST_ASSERT_EQUAL_HEX16(label_of(wanted[y][x]), *label_at(x, y));
+            TEST_ASSERT_EQUAL_HEX16(flood_letter(wanted[y][x]), *label_at(x, y));
         }
     }
 }
@@ -133,7 +93,7 @@ static void test_pits_fill_first(void)
     TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, flood(512, &ticker));
     /* b passes its crest of 3 before a passes that of 5, and runs through the pit. */
     for (uint32_t x = 4; x < 8; x++) {
-        TEST_ASSERT_EQUAL_UINT16(label_of('b'), *label_at(x, 2));
+        TEST_ASSERT_EQUAL_UINT16(flood_letter('b'), *label_at(x, 2));
     }
     TEST_ASSERT_EQUAL_HEX16(RS_LINE, *label_at(2, 2));
 }
@@ -173,7 +133,7 @@ static void check_lines(const uint16_t *markers)
 static uint16_t *draw_random(uint32_t width, uint32_t height, uint32_t *seed)
 {
     uint16_t *markers = stage_scratch((size_t)width * height, sizeof *markers);
-    prepare(width, height);
+    flood_prepare(width, height);
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < width; x++) {
             *seed = *seed * 1664525 + 1013904223;
@@ -207,7 +167,7 @@ static void test_cancelling(void)
     for (uint32_t calls = 0; calls < 5; calls++) {
         uint32_t left = calls;
         rs_ticker ticker = stage_canceller(&left);
-        prepare(400, 400);
+        flood_prepare(400, 400);
         TEST_ASSERT_EQUAL_INT(ROOMSEG_ERR_CANCELLED, flood(20000, &ticker));
     }
 }

@@ -1,33 +1,12 @@
 /* Doorway records against doors that are drawn where they are. */
-#include <string.h>
-
-#include "run.h"
-#include "sketch.h"
+#include "fixture.h"
 #include "unity.h"
 
-#define RESOLUTION_MM 50u
 #define SIDE 64u /* a room's edge, 3.2 m */
 
 /* Widths come from distances in steps of 40 mm on both sides, and a middle that may lie half a
  * cell off. */
 #define WIDTH_TOLERANCE_MM (2u * 40u + RESOLUTION_MM)
-
-static roomseg_config config;
-static sketch s;
-static run r;
-
-void setUp(void)
-{
-    config = roomseg_config_default();
-    memset(&s, 0, sizeof s);
-    memset(&r, 0, sizeof r);
-}
-
-void tearDown(void)
-{
-    run_free(&r);
-    sketch_free(&s);
-}
 
 /* Two rooms side by side behind a wall of `thickness` cells, no door yet. */
 static void draw_pair(uint32_t thickness)

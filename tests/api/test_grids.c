@@ -1,10 +1,8 @@
 /* Grids of all kinds: sizes, strides, read-only memory, noise, places in a larger grid. */
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "run.h"
-#include "sketch.h"
+#include "fixture.h"
 #include "unity.h"
 
 static const char *const flat[] = {
@@ -23,23 +21,6 @@ static const char *const flat[] = {
     "####################",
     NULL,
 };
-
-static roomseg_config config;
-static sketch s;
-static run r;
-
-void setUp(void)
-{
-    config = roomseg_config_default();
-    memset(&s, 0, sizeof s);
-    memset(&r, 0, sizeof r);
-}
-
-void tearDown(void)
-{
-    run_free(&r);
-    sketch_free(&s);
-}
 
 static void test_a_single_free_cell(void)
 {

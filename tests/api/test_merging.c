@@ -1,50 +1,7 @@
 /* Which regions become rooms: small ones, niches, passages, what was seen through windows.
  * One character is 0.4 m. */
-#include <string.h>
-
-#include "run.h"
-#include "sketch.h"
+#include "fixture.h"
 #include "unity.h"
-
-#define SCALE 8u          /* cells of 50 mm along a character */
-#define RESOLUTION_MM 50u
-
-static roomseg_config config;
-static sketch s;
-static run r;
-
-void setUp(void)
-{
-    config = roomseg_config_default();
-    memset(&s, 0, sizeof s);
-    memset(&r, 0, sizeof r);
-}
-
-void tearDown(void)
-{
-    run_free(&r);
-    sketch_free(&s);
-}
-
-static void segment(const char *const *rows)
-{
-    s = sketch_make(rows, SCALE, 0, RESOLUTION_MM);
-    r = run_checked(&config, &s.grid);
-}
-
-/* Label in the middle of a character. */
-static uint16_t at(uint32_t column, uint32_t row)
-{
-    return run_label(&r, column * SCALE + SCALE / 2, row * SCALE + SCALE / 2);
-}
-
-/* Segments the same rows again under the config as it is now. */
-static void again(const char *const *rows)
-{
-    run_free(&r);
-    sketch_free(&s);
-    segment(rows);
-}
 
 /* 0.64 m2 never stand alone where there is a neighbour. */
 static void test_a_niche_joins_its_neighbour(void)
@@ -142,10 +99,10 @@ static void test_the_smallest_room_is_exact(void)
     TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
     uint32_t area_mm2 = r.result.rooms[1].area_cells * RESOLUTION_MM * RESOLUTION_MM;
     config.smallest_room_mm2 = area_mm2;
-    again(rows);
+    segment(rows);
     TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
     config.smallest_room_mm2 = area_mm2 + 1;
-    again(rows);
+    segment(rows);
     TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
 }
 
@@ -174,12 +131,12 @@ static void test_passages_join_through_narrow_openings(void)
     TEST_ASSERT_EQUAL_UINT(5, r.result.room_count);
     TEST_ASSERT_EQUAL_UINT(at(3, 8), at(26, 8));
     config.passage_min_neighbours = 4;
-    again(passage_rows);
+    segment(passage_rows);
     TEST_ASSERT_EQUAL_UINT(6, r.result.room_count);
     TEST_ASSERT_NOT_EQUAL_UINT(at(3, 8), at(26, 8));
     config.passage_min_neighbours = 3;
     config.passage_opening_percent = 60;
-    again(passage_rows);
+    segment(passage_rows);
     TEST_ASSERT_EQUAL_UINT(6, r.result.room_count);
 }
 

@@ -1,41 +1,6 @@
 /* Small drawn maps and the rooms that they must give. One character is 0.4 m. */
-#include <string.h>
-
-#include "run.h"
-#include "sketch.h"
+#include "fixture.h"
 #include "unity.h"
-
-#define SCALE 8u          /* cells of 50 mm along a character */
-#define RESOLUTION_MM 50u
-
-static roomseg_config config;
-static sketch s;
-static run r;
-
-void setUp(void)
-{
-    config = roomseg_config_default();
-    memset(&s, 0, sizeof s);
-    memset(&r, 0, sizeof r);
-}
-
-void tearDown(void)
-{
-    run_free(&r);
-    sketch_free(&s);
-}
-
-static void segment(const char *const *rows)
-{
-    s = sketch_make(rows, SCALE, 0, RESOLUTION_MM);
-    r = run_checked(&config, &s.grid);
-}
-
-/* Label in the middle of a character. */
-static uint16_t at(uint32_t column, uint32_t row)
-{
-    return run_label(&r, column * SCALE + SCALE / 2, row * SCALE + SCALE / 2);
-}
 
 /* Room r of the result has about this area: `characters` of it, 5 % more or less. */
 static void expect_area(uint16_t label, uint32_t characters)

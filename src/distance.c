@@ -77,12 +77,9 @@ static uint32_t crossing(const rs_basin *a, const rs_basin *b)
 static uint32_t push_basin(rs_basin *envelope, uint32_t count, uint32_t first, uint32_t last,
                            uint32_t vertical)
 {
-    rs_basin fresh;
+    rs_basin fresh = {(uint16_t)first, (uint16_t)last, 0, (uint16_t)(vertical * vertical)};
     uint32_t from = 0;
 
-    fresh.first = (uint16_t)first;
-    fresh.last = (uint16_t)last;
-    fresh.height = (uint16_t)(vertical * vertical);
     while (count > 0u) {
         from = crossing(&envelope[count - 1u], &fresh);
         if (from > envelope[count - 1u].from) {

@@ -157,8 +157,8 @@ def main() -> int:
         noticed += verdict not in ("SURVIVED", "invalid")
         print(f"{verdict:24}{mutant}", flush=True)
     tried = noticed + survived
-    print(f"{noticed} of {tried} noticed ({100.0 * noticed / max(tried, 1):.1f} %), {golden} of them"
-          f" by the golden tests alone; {len(mutants)} places in all, seed {arguments.seed}")
+    print(f"{noticed} of {tried} noticed ({100.0 * noticed / max(tried, 1):.1f} %), {golden} of"
+          f" them by the golden tests alone; {len(mutants)} places in all, seed {arguments.seed}")
     return 0 if noticed >= LEAST * tried else 1
 
 

@@ -172,17 +172,13 @@ static int decode_png(const unsigned char *bytes, size_t size, const char *name,
     }
     samples s;
     void *decoded;
-    unsigned char *filled = NULL;
-    if (info.palette != 0) {
-        filled = png_fill_palette(bytes, &size, &info);
-        if (filled == NULL) {
-            tool_error_set(error, "%s: out of memory", name);
-            return -1;
-        }
-        bytes = filled;
+    unsigned char *mended = png_mend(bytes, &size, &info);
+    if (mended == NULL) {
+        tool_error_set(error, "%s: out of memory", name);
+        return -1;
     }
-    const char *damage = decode_samples(bytes, size, &info, &decoded, &s);
-    free(filled);
+    const char *damage = decode_samples(mended, size, &info, &decoded, &s);
+    free(mended);
     int rc = -1;
     if (decoded == NULL) {
         tool_error_set(error, "%s: the PNG is damaged (%s)", name, damage);

@@ -75,23 +75,38 @@ const char *png_check(const unsigned char *bytes, size_t size, png_info *info) {
     }
 }
 
-unsigned char *png_fill_palette(const unsigned char *bytes, size_t *size, const png_info *info) {
-    size_t length = big_endian(bytes + info->palette);
-    size_t data = info->palette + 8;
-    size_t full = length < PALETTE_BYTES ? PALETTE_BYTES : length;
-    unsigned char *copy = malloc(*size + full - length);
+static void store_big_endian(unsigned char *b, size_t value) {
+    for (int i = 0; i < 4; i++) {
+        b[i] = (unsigned char)(value >> (24 - 8 * i));
+    }
+}
+
+unsigned char *png_mend(const unsigned char *bytes, size_t *size, const png_info *info) {
+    unsigned char *copy = malloc(*size + PALETTE_BYTES);
     if (copy == NULL) {
         return NULL;
     }
-    memcpy(copy, bytes, data + length);
-    for (size_t i = length; i < full; i++) {
-        copy[data + i] = i % 3 == 0 ? 255 : 0;
+    memcpy(copy, bytes, SIGNATURE_BYTES);
+    size_t to = SIGNATURE_BYTES;
+    int ended = 0;
+    for (size_t at = to; !ended;) {
+        size_t length = big_endian(bytes + at);
+        size_t whole = CHUNK_FRAME_BYTES + length;
+        ended = memcmp(bytes + at + 4, "IEND", 4) == 0;
+        if (length > 0 || memcmp(bytes + at + 4, "IDAT", 4) != 0) {
+            memcpy(copy + to, bytes + at, whole);
+            to += whole;
+        }
+        if (at == info->palette) {
+            unsigned char *start = copy + to - whole;
+            for (; length < PALETTE_BYTES; length++) {
+                start[8 + length] = length % 3 == 0 ? 255 : 0;
+            }
+            store_big_endian(start, length);
+            to = (size_t)(start - copy) + CHUNK_FRAME_BYTES + length;
+        }
+        at += whole;
     }
-    memcpy(copy + data + full, bytes + data + length, *size - data - length);
-    copy[info->palette] = (unsigned char)(full >> 24);
-    copy[info->palette + 1] = (unsigned char)(full >> 16);
-    copy[info->palette + 2] = (unsigned char)(full >> 8);
-    copy[info->palette + 3] = (unsigned char)full;
-    *size += full - length;
+    *size = to;
     return copy;
 }

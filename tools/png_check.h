@@ -17,10 +17,12 @@ typedef struct png_info {
  * sides must be within the limits of image.h. */
 uint64_t png_raw_bytes(const png_info *info);
 
-/* A copy of the file whose first palette has all 256 entries, those that it lacked in red: the
- * decoder takes colours that a palette does not hold from memory that nobody wrote. *size: of the
- * copy, to be freed. NULL: out of memory. info->palette must not be 0. */
-unsigned char *png_fill_palette(const unsigned char *bytes, size_t *size, const png_info *info);
+/* A copy of a file that png_check() let pass, for the decoder. Its first palette has all 256
+ * entries, those that it lacked in red: the decoder takes colours that a palette does not hold from
+ * memory that nobody wrote. Chunks of image data without a byte are left out: the decoder counts
+ * from a null pointer when such a one is the first. Checksums are not renewed. *size: of the copy,
+ * to be freed. NULL: out of memory. */
+unsigned char *png_mend(const unsigned char *bytes, size_t *size, const png_info *info);
 
 /* Walks the chunks of a file that begins with the PNG signature.
  * Returns NULL when each is whole and its checksum right, IHDR is the first and IEND comes;

@@ -218,6 +218,23 @@ static void test_colour_pngs(void) {
     expect_bad_png(&png, png.size, "colours");
 }
 
+/* The standard allows chunks of image data without a byte, even as the first. */
+static void test_a_png_with_empty_data(void) {
+    static const uint8_t empty[12] = {0, 0, 0, 0, 'I', 'D', 'A', 'T', 0x35, 0xAF, 0x06, 0x1E};
+    const uint8_t gray[] = {0, 254};
+    tiny_png png = tiny_png_make(2, 1, 8, PNG_GRAY, gray, 2, 1, NULL, 0);
+    memmove(png.bytes + png.idat + sizeof empty, png.bytes + png.idat, png.size - png.idat);
+    memcpy(png.bytes + png.idat, empty, sizeof empty);
+    png.size += sizeof empty;
+    const char *path = scratch_write("empty_data.png", png.bytes, png.size);
+    const map_options options = {0, 0};
+    map m;
+    TEST_ASSERT_EQUAL_INT(0, map_load(path, &options, &m, NULL));
+    TEST_ASSERT_EQUAL_UINT32(2, m.width);
+    TEST_ASSERT_NOT_EQUAL_UINT8(m.cells[0], m.cells[1]);
+    map_free(&m);
+}
+
 #define IMAGE "image: m.pgm\n"
 #define RESOLUTION "resolution: 0.05\n"
 #define ORIGIN "origin: [0, 0, 0]\n"
@@ -364,6 +381,7 @@ int main(void) {
     RUN_TEST(test_pngs_that_do_not_hold_what_they_say);
     RUN_TEST(test_pngs_that_swell);
     RUN_TEST(test_colour_pngs);
+    RUN_TEST(test_a_png_with_empty_data);
     RUN_TEST(test_bad_yamls);
     RUN_TEST(test_yamls_that_are_too_large);
     RUN_TEST(test_the_image_of_a_yaml_is_named);

@@ -1,6 +1,6 @@
 #include "config.h"
 
-#include "merge.h"
+#include "join.h"
 
 roomseg_config roomseg_config_default(void)
 {
@@ -43,7 +43,7 @@ int rs_config_check(const roomseg_config *config)
                 config->room_opening_percent <= 100u && config->passage_opening_percent >= 1u &&
                 config->passage_opening_percent <= 100u &&
                 config->passage_min_neighbours >= 2u &&
-                config->passage_min_neighbours <= RS_MERGE_MAX_NEIGHBOURS &&
+                config->passage_min_neighbours <= RS_JOIN_MAX_NEIGHBOURS &&
                 config->open_plan_percent >= 1u && config->open_plan_percent <= 100u &&
                 config->shared_wall_mm >= ROOMSEG_MIN_SHARED_WALL_MM &&
                 config->shared_wall_mm <= ROOMSEG_MAX_SHARED_WALL_MM &&

@@ -75,10 +75,10 @@ static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
 /* A door hangs in a wall of at least this length, both sides together. */
 #define STUB_MM 300u
 
-static rs_merge_rules merge_rules(const roomseg_config *config, uint32_t resolution_mm)
+static rs_join_rules join_rules(const roomseg_config *config, uint32_t resolution_mm)
 {
     uint32_t cell_mm2 = resolution_mm * resolution_mm;
-    rs_merge_rules rules;
+    rs_join_rules rules;
 
     rules.smallest_cells = cells_of(config->smallest_room_mm2, cell_mm2);
     rules.niche_cells = cells_of(config->niche_mm2, cell_mm2);
@@ -138,7 +138,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                       rs_ticker *ticker)
 {
     uint32_t mm = grid->resolution_mm;
-    rs_merge_rules rules = merge_rules(config, mm);
+    rs_join_rules rules = join_rules(config, mm);
     uint32_t isolated = 0;
     int status;
 

@@ -49,8 +49,8 @@ prove blur box 64 exact rs_box_of_variance "weights sum to 2^16, radius <= 62" \
 prove heap heap 8 exact "rs_heap_push, _pop" "sorted, nothing lost" "6 items"
 prove components add_area 1 exact add_area "saturates" "both <= 2^30"
 prove components runs 10 exact find_runs "maximal, ordered, as few as planned" "rows of 8 cells"
-prove merge openness 1 exact openness "<= 327,680,000" "distances 1..255, 1..100 percent"
-prove merge niche 1 exact niche_key "<= 16384" "distances 1..255, any area"
+prove join openness 1 exact openness "<= 327,680,000" "distances 1..255, 1..100 percent"
+prove join niche 1 exact niche_key "<= 16384" "distances 1..255, any area"
 prove plan plan 1 wraps ROOMSEG_PLAN_TABLE "all buffers fit in 32 bits" "all sizes and capacities"
 prove plan plan_small 1 exact ROOMSEG_PLAN_SMALL "<= 10001 cells" "all configs, 20..200 mm"
 exit $failed

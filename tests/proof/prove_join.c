@@ -1,4 +1,4 @@
-#include "../../src/merge.c"
+#include "../../src/join.c"
 #include "proof.h"
 
 /* Distances are 1..255 steps, and no saddle is higher than the peaks on its sides. */

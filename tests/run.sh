@@ -6,6 +6,12 @@ set -eu
 
 cd "$(dirname "$0")/.."
 preset=${1:-default}
+case $preset in
+-*)
+    echo "usage: tests/run.sh [PRESET]" >&2
+    exit 2
+    ;;
+esac
 
 tools/setup.sh test
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)

@@ -9,6 +9,10 @@ caller=$PWD
 cd "$(dirname "$0")/.."
 case $folder in
 '') folder=$PWD/out ;;
+-*)
+    echo "usage: tools/try.sh [FOLDER]" >&2
+    exit 2
+    ;;
 /*) ;;
 *) folder=$caller/$folder ;;
 esac

@@ -5,8 +5,18 @@
 #   tests/golden/update.sh [FOLDER]    FOLDER for the pictures; build/golden when it is not given
 set -eu
 
+folder=${1:-}
+caller=$PWD
 cd "$(dirname "$0")/../.."
-pictures=${1:-build/golden}
+case $folder in
+'') pictures=build/golden ;;
+-*)
+    echo "usage: tests/golden/update.sh [FOLDER]" >&2
+    exit 2
+    ;;
+/*) pictures=$folder ;;
+*) pictures=$caller/$folder ;;
+esac
 
 tools/setup.sh test
 { cmake --preset default && cmake --build --preset default -j 2 --target update_golden; } \

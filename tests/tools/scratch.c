@@ -29,6 +29,10 @@ void scratch_close(void) {
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, rmdir(folder), "files were left behind");
 }
 
+const char *scratch_folder(void) {
+    return folder;
+}
+
 const char *scratch_path(const char *name) {
     TEST_ASSERT_TRUE(path_count < MAX_PATHS);
     snprintf(paths[path_count], sizeof paths[0], "%s/%s", folder, name);

@@ -10,6 +10,9 @@ void scratch_open(void);
 /* Removes the folder with the files that scratch_path has named. */
 void scratch_close(void);
 
+/* Path of the folder. */
+const char *scratch_folder(void);
+
 /* Path of a file in the folder; valid until scratch_close. At most 64 names a test. */
 const char *scratch_path(const char *name);
 

@@ -1,75 +1,47 @@
 /* What a benchmark is made of: finding maps, setting fields, means and deviations. */
-#define _POSIX_C_SOURCE 200809L
-
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "bench_result.h"
 #include "config_option.h"
 #include "dataset.h"
+#include "out.h"
+#include "scratch.h"
 #include "unity.h"
 
-static const char TOP[] = "bench_test_data";
-
-/* Everything that a test may have made, files before their folders. */
-static const char *const PLACES[] = {
-    "groundtruth/a.png", "groundtruth/b.pgm", "one/a.png", "one/b.yaml", "one/b.pgm",
-    "one/notes.txt",     "one/.c.png",        "two/a.pgm", "s1/map.pgm", "s1/truth.pgm",
-    "s1/map.png",        "s2/map.png",        "x.pgm",     "groundtruth", "one",
-    "two",               "s1",                "s2",        "",
-};
-
-static void place_path(char *path, size_t size, const char *place) {
-    snprintf(path, size, "%s/%s", TOP, place);
-}
-
 void setUp(void) {
-    TEST_ASSERT_EQUAL_INT(0, mkdir(TOP, 0777));
+    scratch_open();
 }
 
 void tearDown(void) {
-    for (size_t i = 0; i < sizeof PLACES / sizeof *PLACES; i++) {
-        char path[128];
-        place_path(path, sizeof path, PLACES[i]);
-        remove(path);
-    }
+    scratch_close();
 }
 
 static void make_folder(const char *place) {
-    char path[128];
-    place_path(path, sizeof path, place);
-    TEST_ASSERT_EQUAL_INT(0, mkdir(path, 0777));
+    tool_error error = {""};
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, out_make_folder(scratch_path(place), &error), error.text);
 }
 
 static void make_file(const char *place) {
-    char path[128];
-    place_path(path, sizeof path, place);
-    FILE *file = fopen(path, "wb");
-    TEST_ASSERT_NOT_NULL(file);
-    fclose(file);
+    scratch_write_text(place, "");
 }
 
 static void assert_map(const dataset_set *set, size_t index, const char *name,
                        const char *map, const char *truth) {
-    char path[128];
     TEST_ASSERT_LESS_THAN_size_t(set->count, index);
     TEST_ASSERT_EQUAL_STRING(name, set->maps[index].name);
-    place_path(path, sizeof path, map);
-    TEST_ASSERT_EQUAL_STRING(path, set->maps[index].map);
+    TEST_ASSERT_EQUAL_STRING(scratch_path(map), set->maps[index].map);
     if (truth == NULL) {
         TEST_ASSERT_NULL(set->maps[index].truth);
     } else {
-        place_path(path, sizeof path, truth);
-        TEST_ASSERT_EQUAL_STRING(path, set->maps[index].truth);
+        TEST_ASSERT_EQUAL_STRING(scratch_path(truth), set->maps[index].truth);
     }
 }
 
 static dataset open_top(void) {
     dataset data;
     tool_error error = {""};
-    TEST_ASSERT_EQUAL_INT_MESSAGE(0, dataset_open(TOP, &data, &error), error.text);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, dataset_open(scratch_folder(), &data, &error), error.text);
     return data;
 }
 
@@ -107,7 +79,7 @@ static void test_a_folder_per_map_holds_its_truth(void) {
     make_file("x.pgm");
     dataset data = open_top();
     TEST_ASSERT_EQUAL_size_t(1, data.count);
-    TEST_ASSERT_EQUAL_STRING(TOP, data.sets[0].name);
+    TEST_ASSERT_EQUAL_STRING(scratch_folder(), data.sets[0].name);
     TEST_ASSERT_EQUAL_size_t(3, data.sets[0].count);
     assert_map(&data.sets[0], 0, "s1", "s1/map.pgm", "s1/truth.pgm");
     assert_map(&data.sets[0], 1, "s2", "s2/map.png", NULL);
@@ -121,7 +93,7 @@ static void test_the_folder_of_one_map_is_a_set_of_its_own(void) {
     make_file("s1/truth.pgm");
     dataset data;
     tool_error error = {""};
-    TEST_ASSERT_EQUAL_INT(0, dataset_open("bench_test_data/s1", &data, &error));
+    TEST_ASSERT_EQUAL_INT(0, dataset_open(scratch_path("s1"), &data, &error));
     TEST_ASSERT_EQUAL_size_t(1, data.count);
     TEST_ASSERT_EQUAL_STRING("s1", data.sets[0].name);
     TEST_ASSERT_EQUAL_size_t(1, data.sets[0].count);
@@ -132,10 +104,10 @@ static void test_the_folder_of_one_map_is_a_set_of_its_own(void) {
 static void test_folders_without_maps_are_refused(void) {
     dataset data;
     tool_error error = {""};
-    TEST_ASSERT_EQUAL_INT(-1, dataset_open(TOP, &data, &error));
-    TEST_ASSERT_NOT_NULL(strstr(error.text, TOP));
-    TEST_ASSERT_EQUAL_INT(-1, dataset_open("bench_test_missing", &data, &error));
-    TEST_ASSERT_NOT_NULL(strstr(error.text, "bench_test_missing"));
+    TEST_ASSERT_EQUAL_INT(-1, dataset_open(scratch_folder(), &data, &error));
+    TEST_ASSERT_NOT_NULL(strstr(error.text, scratch_folder()));
+    TEST_ASSERT_EQUAL_INT(-1, dataset_open(scratch_path("missing"), &data, &error));
+    TEST_ASSERT_NOT_NULL(strstr(error.text, scratch_path("missing")));
     TEST_ASSERT_NULL(data.sets);
 }
 
@@ -147,8 +119,8 @@ static void test_images_are_paired_by_name(void) {
     make_file("one/b.pgm");
     dataset_set set;
     tool_error error = {""};
-    TEST_ASSERT_EQUAL_INT(0, dataset_pair("bench_test_data/one", "bench_test_data/groundtruth",
-                                          &set, &error));
+    TEST_ASSERT_EQUAL_INT(0, dataset_pair(scratch_path("one"), scratch_path("groundtruth"), &set,
+                                          &error));
     TEST_ASSERT_EQUAL_size_t(2, set.count);
     assert_map(&set, 0, "a", "one/a.png", "groundtruth/a.png");
     assert_map(&set, 1, "b", "one/b.pgm", NULL);

@@ -1,6 +1,5 @@
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "args.h"
@@ -153,14 +152,7 @@ static int32_t alignment_urad(int32_t turn) {
 
 static int write_pgm(const char *folder, const char *name, const sim_map *m,
                      const uint8_t *cells, int with_pose, out_file *file, tool_error *error) {
-    char *path = out_join(folder, name);
-    if (path == NULL) {
-        tool_error_set(error, "%s/%s: out of memory", folder, name);
-        return -1;
-    }
-    int rc = out_open(file, path, error);
-    free(path);
-    if (rc != 0) {
+    if (out_open_in(file, folder, name, error) != 0) {
         return -1;
     }
     fputs("P5\n", file->stream);
@@ -179,24 +171,15 @@ static int write_pgm(const char *folder, const char *name, const sim_map *m,
 
 /* Both files or none. */
 static int write_files(const char *folder, const sim_map *m, tool_error *error) {
-    out_file map = {NULL, NULL, NULL};
-    out_file truth = {NULL, NULL, NULL};
+    out_file files[2] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
     int rc = out_make_folder(folder, error);
     if (rc == 0) {
-        rc = write_pgm(folder, "map.pgm", m, m->cells, 1, &map, error);
+        rc = write_pgm(folder, "truth.pgm", m, m->truth, 0, &files[0], error);
     }
     if (rc == 0) {
-        rc = write_pgm(folder, "truth.pgm", m, m->truth, 0, &truth, error);
+        rc = write_pgm(folder, "map.pgm", m, m->cells, 1, &files[1], error);
     }
-    if (rc == 0) {
-        rc = out_commit(&truth, error);
-    }
-    if (rc == 0) {
-        rc = out_commit(&map, error);
-    }
-    out_discard(&map);
-    out_discard(&truth);
-    return rc;
+    return out_end_all(files, 2, rc, error);
 }
 
 int cmd_simulate(int argc, char **argv) {

@@ -92,6 +92,18 @@ int out_open(out_file *file, const char *path, tool_error *error) {
     return -1;
 }
 
+int out_open_in(out_file *file, const char *folder, const char *name, tool_error *error) {
+    char *path = out_join(folder, name);
+    if (path == NULL) {
+        tool_error_set(error, "%s/%s: out of memory", folder, name);
+        *file = (out_file){NULL, NULL, NULL};
+        return -1;
+    }
+    int rc = out_open(file, path, error);
+    free(path);
+    return rc;
+}
+
 /* Flushes; 0, or the errno of what could not be written now or before. */
 static int flush_stream(FILE *stream) {
     errno = 0;
@@ -135,4 +147,15 @@ void out_discard(out_file *file) {
     free(file->path);
     free(file->temp);
     *file = (out_file){NULL, NULL, NULL};
+}
+
+int out_end_all(out_file *files, size_t count, int rc, tool_error *error) {
+    for (size_t i = 0; i < count; i++) {
+        if (rc == 0 && files[i].stream != NULL) {
+            rc = out_commit(&files[i], error);
+        } else {
+            out_discard(&files[i]);
+        }
+    }
+    return rc;
 }

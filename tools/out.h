@@ -24,6 +24,9 @@ char *out_join(const char *folder, const char *name);
 /* Opens the temporary file. Returns 0, or -1 with *error set and *file zeroed. */
 int out_open(out_file *file, const char *path, tool_error *error);
 
+/* The same for the file FOLDER/NAME. */
+int out_open_in(out_file *file, const char *folder, const char *name, tool_error *error);
+
 /* Writes out what the stream still holds, for a message before other files are committed.
  * Returns 0, or -1 with *error set; the file stays open in both cases. */
 int out_flush(out_file *file, tool_error *error);
@@ -35,5 +38,10 @@ int out_commit(out_file *file, tool_error *error);
 
 /* Closes and removes the temporary file; does nothing to a zeroed record. */
 void out_discard(out_file *file);
+
+/* Commits files that belong together, in order, if rc is 0 and until one fails; discards the
+ * others. Flush all before, so that a full disk leaves what was there. Passes over zeroed records.
+ * Returns rc, or -1 with *error set; the files are zeroed in all cases. */
+int out_end_all(out_file *files, size_t count, int rc, tool_error *error);
 
 #endif

@@ -1,7 +1,5 @@
 #include "segment_file.h"
 
-#include <stdlib.h>
-
 #include "out.h"
 #include "report.h"
 #include "rooms_png.h"
@@ -27,35 +25,18 @@ static int write_one(int which, const char *path, const map *m, const segmentati
     return out_flush(file, error);
 }
 
-static int open_one(const char *folder, const char *name, out_file *file, tool_error *error) {
-    char *path = out_join(folder, name);
-    if (path == NULL) {
-        tool_error_set(error, "%s: out of memory", name);
-        return -1;
-    }
-    int rc = out_open(file, path, error);
-    free(path);
-    return rc;
-}
-
 /* Writes all files before any gets its name, so that a full disk leaves the old ones. */
 static int write_outputs(const char *path, const char *folder, const map *m,
                          const segmentation *s, tool_error *error) {
     out_file files[OUT_COUNT] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}, {NULL, NULL, NULL}};
     int rc = out_make_folder(folder, error);
     for (int i = 0; i < OUT_COUNT && rc == 0; i++) {
-        rc = open_one(folder, out_names[i], &files[i], error);
+        rc = out_open_in(&files[i], folder, out_names[i], error);
         if (rc == 0) {
             rc = write_one(i, path, m, s, &files[i], error);
         }
     }
-    for (int i = 0; i < OUT_COUNT && rc == 0; i++) {
-        rc = out_commit(&files[i], error);
-    }
-    for (int i = 0; i < OUT_COUNT; i++) {
-        out_discard(&files[i]);
-    }
-    return rc;
+    return out_end_all(files, OUT_COUNT, rc, error);
 }
 
 int segment_file(const char *path, const char *folder, const map_options *options,

@@ -75,6 +75,28 @@ static void test_files_that_cannot_be_written(void) {
     TEST_ASSERT_EQUAL_INT(1, scratch_count());
 }
 
+/* Those before the one that fails have their names, none is left unfinished. */
+static void test_files_that_belong_together(void) {
+    out_file files[4] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}, {NULL, NULL, NULL},
+                         {NULL, NULL, NULL}};
+    char text[8];
+    TEST_ASSERT_EQUAL_INT(0, out_make_folder(scratch_path("c"), &error));
+    TEST_ASSERT_EQUAL_INT(0, out_open_in(&files[0], scratch_folder(), "a", &error));
+    TEST_ASSERT_EQUAL_INT(0, out_open_in(&files[2], scratch_folder(), "c", &error));
+    TEST_ASSERT_EQUAL_INT(0, out_open_in(&files[3], scratch_folder(), "d", &error));
+    fputs("new", files[0].stream);
+    TEST_ASSERT_EQUAL_INT(-1, out_end_all(files, 4, 0, &error));
+    TEST_ASSERT_NOT_NULL(strstr(error.text, "c: cannot write: Is a directory"));
+    TEST_ASSERT_TRUE(scratch_read("a", text, sizeof text));
+    TEST_ASSERT_EQUAL_STRING("new", text);
+    TEST_ASSERT_EQUAL_INT(2, scratch_count());
+    TEST_ASSERT_EQUAL_INT(0, out_open_in(&files[1], scratch_folder(), "d", &error));
+    TEST_ASSERT_EQUAL_INT(-1, out_end_all(files, 4, -1, &error));
+    TEST_ASSERT_EQUAL_INT(2, scratch_count());
+    TEST_ASSERT_NULL(files[1].stream);
+    TEST_ASSERT_EQUAL_INT(-1, out_open_in(&files[0], scratch_path("no"), "a", &error));
+}
+
 static void test_folders(void) {
     scratch_path("x");
     scratch_path("x/y");
@@ -214,6 +236,7 @@ int main(void) {
     RUN_TEST(test_a_discarded_file_leaves_the_old_one);
     RUN_TEST(test_two_writers_of_one_file_do_not_meet);
     RUN_TEST(test_files_that_cannot_be_written);
+    RUN_TEST(test_files_that_belong_together);
     RUN_TEST(test_folders);
     RUN_TEST(test_arguments);
     RUN_TEST(test_wrong_arguments);

@@ -6,18 +6,11 @@
 
 static int open_and_write(const char *folder, const char *name, const char *bytes, size_t size,
                           out_file *file, tool_error *error) {
-    char *path = out_join(folder, name);
-    if (path == NULL) {
-        tool_error_set(error, "%s: out of memory", name);
+    if (out_open_in(file, folder, name, error) != 0) {
         return -1;
     }
-    int rc = out_open(file, path, error);
-    free(path);
-    if (rc == 0) {
-        fwrite(bytes, 1, size, file->stream);
-        rc = out_flush(file, error);
-    }
-    return rc;
+    fwrite(bytes, 1, size, file->stream);
+    return out_flush(file, error);
 }
 
 int files_write(const char *folder, const album *a, const char *page_name, const char *page,
@@ -36,12 +29,7 @@ int files_write(const char *folder, const album *a, const char *page_name, const
     if (rc == 0) {
         rc = open_and_write(folder, page_name, page, page_size, &files[a->count], error);
     }
-    for (size_t i = 0; i < count && rc == 0; i++) {
-        rc = out_commit(&files[i], error);
-    }
-    for (size_t i = 0; i < count; i++) {
-        out_discard(&files[i]);
-    }
+    rc = out_end_all(files, count, rc, error);
     free(files);
     return rc;
 }

@@ -122,19 +122,8 @@ int scene_load(const char *map_path, const char *truth_path, const map_options *
     return rc;
 }
 
-static int open_in(const char *folder, const char *name, out_file *file, tool_error *error) {
-    char *path = out_join(folder, name);
-    if (path == NULL) {
-        tool_error_set(error, "%s/%s: out of memory", folder, name);
-        return -1;
-    }
-    int rc = out_open(file, path, error);
-    free(path);
-    return rc;
-}
-
 static int write_map(const scene *s, const char *folder, out_file *file, tool_error *error) {
-    if (open_in(folder, "map.pgm", file, error) != 0) {
+    if (out_open_in(file, folder, "map.pgm", error) != 0) {
         return -1;
     }
     fprintf(file->stream, "P5\n# Neato metadata: resolution=%d\n%u %u\n255\n",
@@ -146,7 +135,7 @@ static int write_map(const scene *s, const char *folder, out_file *file, tool_er
 /* Two bytes a cell, as there may be more than 255 rooms. */
 static int write_truth(const scene *s, const char *folder, out_file *file, tool_error *error) {
     size_t count = (size_t)s->truth.width * s->truth.height;
-    if (open_in(folder, "truth.pgm", file, error) != 0) {
+    if (out_open_in(file, folder, "truth.pgm", error) != 0) {
         return -1;
     }
     fprintf(file->stream, "P5\n%u %u\n65535\n", (unsigned)s->truth.width,
@@ -159,23 +148,13 @@ static int write_truth(const scene *s, const char *folder, out_file *file, tool_
 }
 
 int scene_write(const scene *s, const char *folder, tool_error *error) {
-    out_file map_file = {NULL, NULL, NULL};
-    out_file truth_file = {NULL, NULL, NULL};
-    int has_truth = s->truth.values != NULL;
+    out_file files[2] = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
     int rc = out_make_folder(folder, error);
-    if (rc == 0) {
-        rc = write_map(s, folder, &map_file, error);
-    }
-    if (rc == 0 && has_truth) {
-        rc = write_truth(s, folder, &truth_file, error);
-    }
-    if (rc == 0 && has_truth) {
-        rc = out_commit(&truth_file, error);
+    if (rc == 0 && s->truth.values != NULL) {
+        rc = write_truth(s, folder, &files[0], error);
     }
     if (rc == 0) {
-        rc = out_commit(&map_file, error);
+        rc = write_map(s, folder, &files[1], error);
     }
-    out_discard(&map_file);
-    out_discard(&truth_file);
-    return rc;
+    return out_end_all(files, 2, rc, error);
 }

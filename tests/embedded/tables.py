@@ -36,6 +36,12 @@ def missing(runs, targets, text):
                   if f"| {name} |" not in text and f"`{name}`" not in text)
 
 
+def kept(runs, text):
+    """Maps of the table that were not run: their checksums cannot be compared or written."""
+    names = {name for name, _ in runs}
+    return [name for name in ROW.findall(BLOCK.search(text)[0]) if name not in names]
+
+
 def check(runs, targets, update):
     """Prints what is stale; with update, writes it anew. Returns whether all is well."""
     good = True
@@ -50,6 +56,8 @@ def check(runs, targets, update):
             good = False
             print(f"STALE      {name}: checksums; tests/embedded/run.py --update", flush=True)
     absent = missing(runs, targets, fresh)
+    if kept(runs, fresh):
+        print(f"not run    {', '.join(kept(runs, fresh))}: no data set (--dataset)", flush=True)
     if absent:
         good = False
         print(f"STALE      {FILES[-1]}: not named: {', '.join(absent)}", flush=True)

@@ -23,4 +23,5 @@ tools/setup.sh test
     >build/golden.log 2>&1 || { cat build/golden.log >&2; exit 1; }
 build/default/tests/update_golden tests/golden "$pictures"
 git --no-pager diff --stat -- tests/golden
-echo "Other rooms change the checksums in README.md too: tests/embedded/run.py --update"
+echo "Other rooms change the checksums in README.md too, those of real maps as well:"
+echo "tests/embedded/run.py --update --dataset FOLDER"

@@ -34,6 +34,26 @@ static int is_png(const struct dirent *entry)
     return length > 4 && strcmp(entry->d_name + length - 4, ".png") == 0;
 }
 
+/* At most 4 bytes a cell of the crop, and 2.5 with the usual capacities, which give the same. */
+static void check_memory(const run *r)
+{
+    uint32_t width = r->result.crop_width, height = r->result.crop_height;
+    uint32_t resolution_mm = r->grid.resolution_mm;
+    size_t cells = (size_t)width * height;
+    roomseg_config config = r->config;
+    config.max_regions = ROOMSEG_USUAL_REGIONS(width, height, resolution_mm);
+    config.max_rooms = ROOMSEG_USUAL_ROOMS(width, height, resolution_mm);
+    run compact = run_unchecked(&config, &r->grid);
+    run_assert_same(r, &compact);
+    printf("    bytes a cell: %.2f, usual capacities %.2f\n",
+           (double)r->arena_size / (double)cells, (double)compact.arena_size / (double)cells);
+    TEST_ASSERT_EQUAL_size_t(ROOMSEG_ARENA_SIZE_USUAL(width, height, resolution_mm),
+                             compact.arena_size);
+    TEST_ASSERT_LESS_OR_EQUAL_size_t(4 * cells, r->arena_size);
+    TEST_ASSERT_LESS_OR_EQUAL_size_t(5 * cells, 2 * compact.arena_size);
+    run_free(&compact);
+}
+
 static void check_map(const char *path)
 {
     const map_options options = {0};
@@ -50,17 +70,7 @@ static void check_map(const char *path)
            (unsigned)r.result.room_count, (unsigned)r.result.doorway_count,
            (unsigned)r.result.region_count, (unsigned long)r.arena_size);
     TEST_ASSERT_GREATER_THAN_UINT(1, r.result.room_count);
-    uint32_t width = r.result.crop_width, height = r.result.crop_height;
-    TEST_ASSERT_LESS_OR_EQUAL_UINT(ROOMSEG_USUAL_REGIONS(width, height, grid.resolution_mm),
-                                   r.result.region_count);
-    TEST_ASSERT_LESS_OR_EQUAL_UINT(ROOMSEG_USUAL_ROOMS(width, height, grid.resolution_mm),
-                                   r.result.room_count);
-    /* At most 8 bytes a cell of the crop, and what the capacities cost. */
-    size_t fixed;
-    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK,
-                          roomseg_arena_size(&config, 1, 1, grid.resolution_mm, &fixed));
-    size_t cells = (size_t)width * height;
-    TEST_ASSERT_LESS_OR_EQUAL_size_t(fixed + 8 * cells, r.arena_size);
+    check_memory(&r);
     run_free(&r);
     map_free(&m);
 }

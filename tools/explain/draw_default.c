@@ -11,8 +11,6 @@
 /* Regions below this have a smaller dot on the peak [cells]. */
 #define TINY_CELLS 25u
 
-#define PALE 0.55 /* share of white in regions under a drawing */
-
 /* An opening's stroke is so much thinner than the opening. */
 #define STROKE_SHARE 0.2
 #define STROKE_MIN_PX 1.6
@@ -67,7 +65,7 @@ static color walls_color(const void *user, uint32_t x, uint32_t y) {
         return wall == WALL_LONG ? PAINT_SIGNAL : PAINT_SECOND;
     }
     color c = region_color(&p->regions, x, y);
-    return label_at(&e->o, LABELS_REGIONS, x, y) == 0 ? paint_mix(c, PAINT_FREE, PALE) : c;
+    return label_at(&e->o, LABELS_REGIONS, x, y) == 0 ? paint_mix(c, PAINT_FREE, REGION_PALE) : c;
 }
 
 static int draw_shared_walls(explanation *e) {
@@ -76,7 +74,7 @@ static int draw_shared_walls(explanation *e) {
     uint64_t crossings;
     int rc = -1;
     if (p.walls != NULL && region_paint_make(e, LABELS_REGIONS, &p.regions) == 0) {
-        p.regions.pale = PALE;
+        p.regions.pale = REGION_PALE;
         rc = shared_walls_mark(&e->o, e->config.shared_wall_mm / cell_mm(e), p.walls,
                                &crossings);
     }
@@ -105,7 +103,7 @@ static int draw_region_graph(explanation *e) {
     if (region_paint_make(e, LABELS_REGIONS, &p) != 0) {
         return -1;
     }
-    p.pale = PALE;
+    p.pale = REGION_PALE;
     int rc = draw_staged(e, region_color, &p, &c);
     region_paint_free(&p);
     if (rc != 0) {

@@ -10,8 +10,6 @@
 #include "room_colors.h"
 #include "seed_map.h"
 
-#define PALE 0.55 /* share of white in regions under a drawing */
-
 /* A border's stroke is so much thinner than the border is long. */
 #define STROKE_SHARE 0.08
 #define STROKE_MIN_PX 1.6
@@ -119,7 +117,7 @@ static int draw_graph_over(explanation *e, const char *name, const rs_graph *gra
     if (rc != 0) {
         return -1;
     }
-    p.pale = PALE;
+    p.pale = REGION_PALE;
     rc = draw_staged(e, merged ? merged_color : region_color, &p, &c);
     region_paint_free(&p);
     if (rc != 0) {

@@ -5,6 +5,8 @@
 #include "colors.h"
 #include "explanation.h"
 
+#define REGION_PALE 0.55 /* share of white in regions under a drawing */
+
 typedef struct region_paint {
     const explanation *e;
     int labels;          /* LABELS_REGIONS or LABELS_SEEDS */

@@ -5,7 +5,7 @@
                            what comes out; needs a compiler and CMake alone
     port/check.py --all    also lets the others' own tools at them: Conan, PlatformIO, Kconfiglib,
                            pykwalify, the ESP-IDF component manager, installed from PyPI into
-                           build/port/venv
+                           build/port/venv; and arduino-builder, which is a package of Debian's
 
 Exit: 0 all good, 1 not."""
 
@@ -27,11 +27,16 @@ EXAMPLE = ROOT / "examples" / "firmware.c"
 TOOLS = ("conan==2.34.0", "platformio==6.2.0", "scons==4.8.1", "kconfiglib==14.1.0",
          "pykwalify==1.8.0", "idf-component-manager==3.1.2")
 TWO_ROOMS = r"^room 1: \d+ cm2, centre \d+, \d+\nroom 2: .*\n$"
+THREE_LINES = r"^done\n\d+\n\d+\n$"
 WARNINGS = ("-Wall", "-Wextra", "-Werror")
 
 
 class Failure(Exception):
     """What went wrong, in one line."""
+
+
+class Skipped(Exception):
+    """Why it cannot be done here."""
 
 
 def command(*arguments, cwd=None, env=None):
@@ -114,6 +119,9 @@ def arduino():
     """As Arduino builds a library: every file below src by itself, with src in the path."""
     folder = fresh("arduino")
     library = pack("arduino", folder)
+    headers = [header.name for header in (library / "src").glob("*.h")]
+    if headers != ["roomseg.h"]:
+        raise Failure(f"Arduino would find the library by {', '.join(headers)}")
     objects = []
     for source in sorted((library / "src").glob("**/*.c")):
         objects.append(folder / f"{source.stem}.o")
@@ -123,7 +131,7 @@ def arduino():
             "-include", "Arduino.h", STAND_IN / "arduino" / "main.cpp",
             "-x", "c++", library / "examples" / "Rooms" / "Rooms.ino", "-x", "none", *objects,
             "-o", folder / "sketch")
-    expect(r"^done\n\d+\n\d+\n$", command(folder / "sketch"), "the example sketch")
+    expect(THREE_LINES, command(folder / "sketch"), "the example sketch")
     return "compiled as Arduino compiles libraries; the sketch run with a stand-in for its core"
 
 
@@ -230,9 +238,32 @@ def library_by_platformio(tools):
     return "built by PlatformIO for a platform that is this machine, and run"
 
 
+def library_by_arduino(_):
+    """Arduino's own builder: how it finds the library, what it compiles and links."""
+    if not shutil.which("arduino-builder"):
+        raise Skipped("apt-get install arduino-builder")
+    folder = fresh("arduino-builder")
+    library = pack("arduino", folder / "libraries")
+    platform = folder / "hardware" / "roomseg" / "desk"
+    shutil.copytree(STAND_IN / "arduino" / "desk", platform)
+    core = platform / "cores" / "desk"
+    core.mkdir(parents=True)
+    for name in ("Arduino.h", "main.cpp"):
+        shutil.copy(STAND_IN / "arduino" / name, core)
+    build = folder / "build"
+    build.mkdir()
+    command("arduino-builder", "-compile", "-hardware", "/usr/share/arduino-builder",
+            "-hardware", folder / "hardware", "-tools", "/usr/bin",
+            "-libraries", library.parent, "-fqbn", "roomseg:desk:desk", "-build-path", build,
+            "-prefs", "build.warn_data_percentage=75",
+            library / "examples" / "Rooms" / "Rooms.ino")
+    expect(THREE_LINES, command(build / "sketch.out"), "the example sketch")
+    return "built by Arduino's builder for a platform that is this machine, and run"
+
+
 CHECKS = (manifests, zephyr, esp_idf, arduino, freertos, vcpkg)
 TOOL_CHECKS = (kconfig_by_kconfiglib, module_by_pykwalify, component_by_compote, package_by_conan,
-               library_by_platformio)
+               library_by_platformio, library_by_arduino)
 
 
 def main():
@@ -253,6 +284,8 @@ def main():
     for check, arguments in checks:
         try:
             print(f"good    {check.__name__}: {check(*arguments)}", flush=True)
+        except Skipped as cause:
+            print(f"skipped {check.__name__}: {cause}", flush=True)
         except Failure as failure:
             print(f"FAILED  {check.__name__}: {failure}", flush=True)
             good = False

@@ -20,10 +20,11 @@ fi
 
 case $kind in
 arduino)
-    # Arduino knows no include folder: everything lies under src.
-    mkdir -p "$to/src"
+    # Arduino knows no include folder: everything lies under src. It finds a library by the headers
+    # at the top there, which must not be those of the stages: a sketch may have its own queue.h.
+    mkdir -p "$to/src/stages"
     cp -R "$root"/port/arduino/* "$to"
-    cp "$root"/src/*.[ch] "$to/src"
+    cp "$root"/src/*.[ch] "$to/src/stages"
     cp -R "$root/include/roomseg" "$to/src"
     ;;
 platformio | esp-idf)

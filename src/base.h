@@ -12,6 +12,9 @@
 /* Fails to compile when the condition does not hold (C99 has no static_assert). */
 #define RS_STATIC_ASSERT(condition, name) typedef char rs_assert_##name[(condition) ? 1 : -1]
 
+/* Sums and shifts of small types are taken to be of 32 bits. */
+RS_STATIC_ASSERT(sizeof(int) >= 4u, int_of_32_bits);
+
 /* The crop, and how its cells lie in a bordered buffer: one cell of border on every side,
  * so that the four neighbours of a crop cell always exist. */
 typedef struct rs_frame {

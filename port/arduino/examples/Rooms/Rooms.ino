@@ -1,5 +1,5 @@
 // Two rooms and a door: the rooms come out on the serial port.
-#include <roomseg/roomseg.h>
+#include <roomseg.h>
 
 enum { WIDTH = 64, HEIGHT = 40, RESOLUTION_MM = 100, MAX_REGIONS = 64, MAX_ROOMS = 16 };
 static uint8_t map_cells[HEIGHT][WIDTH];  // from SLAM: 0 free, 127 unknown, 255 occupied

@@ -58,7 +58,7 @@ static int measure(const roomseg_config *config, const roomseg_grid *grid, const
                    const rs_turn_buffers *b, const rs_labels *labels, roomseg_result *result,
                    rs_ticker *ticker)
 {
-    rs_graph graph = {b->regions, b->edges, result->room_count, 0, 0};
+    rs_graph graph = {b->regions, b->edges, NULL, result->room_count, 0, 0};
     rs_room_records records = {b->rooms, b->room_sums,      b->doorways, b->links,
                                config->max_rooms, 0, 0};
     int status;

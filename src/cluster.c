@@ -46,6 +46,9 @@ uint16_t rs_cluster_unite(rs_graph *graph, uint16_t p, uint16_t q)
     into->area += from->area;
     into->border += from->border;
     into->walls += from->walls;
+    if (graph->shapes != NULL) {
+        graph->shapes[root] = rs_shape_join(&graph->shapes[p], &graph->shapes[q]);
+    }
     regions[keep_p ? q : p].parent = root;
     return root;
 }

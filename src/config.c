@@ -22,6 +22,7 @@ roomseg_config roomseg_config_default(void)
     config.lived_in_permille = 3;
     config.open_plan_percent = 50;
     config.door_mm = 950;
+    config.hall_mm = 1600;
     config.unwalled_percent = 50;
     config.dilation_mm = 120;
     config.seed_obstacle_permille = 50;
@@ -47,7 +48,8 @@ int rs_config_check(const roomseg_config *config)
                 config->open_plan_percent >= 1u && config->open_plan_percent <= 100u &&
                 config->shared_wall_mm >= ROOMSEG_MIN_SHARED_WALL_MM &&
                 config->shared_wall_mm <= ROOMSEG_MAX_SHARED_WALL_MM &&
-                config->door_mm <= ROOMSEG_MAX_DOOR_MM && config->lived_in_permille <= 1000u &&
+                config->lived_in_permille <= 1000u && config->door_mm <= ROOMSEG_MAX_DOOR_MM &&
+                config->hall_mm <= ROOMSEG_MAX_HALL_MM &&
                 config->unwalled_percent <= 100u &&
                 config->dilation_mm <= ROOMSEG_MAX_DILATION_MM &&
                 config->seed_obstacle_permille <= 499u &&

@@ -30,35 +30,26 @@ static void drop_isolated(uint32_t isolated_cells, rs_graph *graph)
     }
 }
 
-#define MAP_WALLS_PERCENT 35u     /* least share of walls in the whole border */
 #define UNWALLED_AREA_PERCENT 10u /* largest share of the whole area */
 
 /* Marks the roots that are small against the map and bounded by walls far less than the map
- * as a whole. On maps that do not mark their walls as certain obstacles nothing can be told,
- * so nothing is marked. */
+ * as a whole. */
 static void mark_unwalled(uint32_t unwalled_percent, rs_graph *graph)
 {
-    uint64_t area = 0, border = 0, walls = 0;
+    rs_map_border map = rs_graph_map_border(graph);
+    uint64_t area = 0;
 
     for (uint32_t r = 1; r <= graph->region_count; r++) {
-        const rs_region *region = &graph->regions[r];
-        if (region->parent == r && region->area > 0u) {
-            area += region->area;
-            border += region->border;
-            walls += region->walls;
-        }
-    }
-    if (walls * 100u < border * MAP_WALLS_PERCENT) {
-        return;
+        area += graph->regions[r].parent == r ? graph->regions[r].area : 0u;
     }
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         rs_region *region = &graph->regions[r];
-        uint64_t share = region->walls * border * 100u;
-        uint64_t limit = region->border * walls * unwalled_percent;
 
         if (region->parent == r && region->area * 100ull < area * UNWALLED_AREA_PERCENT &&
-            share < limit) {
-            region->unwalled = 2u * share < limit ? RS_HARDLY_WALLED : RS_POORLY_WALLED;
+            rs_graph_lacks_walls(&map, region, unwalled_percent * 10u)) {
+            region->unwalled = rs_graph_lacks_walls(&map, region, unwalled_percent * 5u)
+                                   ? RS_HARDLY_WALLED
+                                   : RS_POORLY_WALLED;
         }
     }
 }

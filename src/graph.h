@@ -3,6 +3,7 @@
 #define RS_GRAPH_H
 
 #include "base.h"
+#include "shape.h"
 #include "watershed.h"
 
 /* How much of a region's border is walls. */
@@ -54,6 +55,7 @@ RS_STATIC_ASSERT(sizeof(rs_column) == ROOMSEG_COLUMN_BYTES, column);
 typedef struct rs_graph {
     rs_region *regions;
     rs_edge *edges;
+    rs_shape *shapes; /* of the regions; NULL: not measured */
     uint32_t region_count, edge_count;
     uint32_t clutter; /* certain obstacles within regions, but single cells of a row */
 } rs_graph;
@@ -97,5 +99,19 @@ void rs_graph_add_cell(rs_region *region, uint32_t height, uint32_t index, uint3
 int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
                    uint32_t max_edges, rs_column *columns, rs_ticker *ticker);
+
+/* The map's whole border, to compare regions with. */
+typedef struct rs_map_border {
+    uint32_t faces, walls; /* sums of the regions' border and walls, or their ratio: < 2^22 */
+} rs_map_border;
+
+rs_map_border rs_graph_map_border(const rs_graph *graph);
+
+/* Maps whose border is walls by less than this do not mark their walls. */
+#define RS_MARKED_WALLS_PERCENT 35u
+
+/* Whether walls make up less of a region's border than permille/1000 of what they make up of
+ * the map's. On a map that does not mark its walls nothing can be told: false. */
+bool rs_graph_lacks_walls(const rs_map_border *map, const rs_region *region, uint32_t permille);
 
 #endif

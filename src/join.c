@@ -110,22 +110,88 @@ static uint32_t opening_key(const rs_join_rules *rules, rs_graph *graph, uint32_
 #define END_TO_END_PERCENT 72u
 #define NARROWER_PERCENT 78u
 
-/* A number that grows with the opening when no wall explains why it is narrow, as there is none,
- * or far less of it than of the opening, which is no door. Else 0. */
-static uint32_t unwalled_key(const rs_join_rules *rules, uint32_t saddle, uint32_t p, uint32_t q,
-                             contact shared)
+/* Share of the opening in the widths, for what is joined last: 1..OPENING_KEY / 8 + 1. */
+static uint32_t last_key(uint32_t saddle, uint32_t p, uint32_t q)
 {
-    bool end_to_end = shared.wall <= rules->teeth_cells &&
-                      openness(saddle, p, q, END_TO_END_PERCENT) != 0u &&
-                      100u * saddle >= NARROWER_PERCENT * rs_min_u32(p, q);
-    bool open_plan = rules->lived_in && shared.wall <= rules->no_wall_cells &&
-                     openness(saddle, p, q, rules->open_plan_percent) != 0u;
-    bool wide = rules->lived_in && shared.border > rules->door_cells &&
-                2u * shared.wall <= shared.border &&
-                openness(saddle, p, q, rules->passage_opening_percent) != 0u;
-    uint32_t share = saddle * saddle * (OPENING_KEY / 8u) / (p * q) + 1u;
+    return saddle * saddle * (OPENING_KEY / 8u) / (p * q) + 1u;
+}
 
-    return end_to_end || open_plan ? 2u * share : wide ? share : 0u;
+/* Where nobody lives, the width of an opening decides, and walls veto. */
+static uint32_t plain_key(const rs_join_rules *rules, rs_graph *graph, uint32_t saddle, uint16_t a,
+                          uint16_t b, uint32_t key)
+{
+    uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
+    bool end_to_end = openness(saddle, p, q, END_TO_END_PERCENT) != 0u &&
+                      100u * saddle >= NARROWER_PERCENT * rs_min_u32(p, q);
+    contact shared;
+
+    if (key == 0u && !end_to_end) {
+        return 0; /* spares the way around the regions */
+    }
+    shared = find_contact(graph, a, b);
+    if (shared.wall >= rules->shared_wall_cells) {
+        return 0;
+    }
+    return end_to_end && shared.wall <= rules->teeth_cells
+               ? rs_max_u32(key, 2u * last_key(saddle, p, q))
+               : key;
+}
+
+/* Whether a root has walls of its own: what was only seen through a window has few, and opens
+ * as wide as furnished rooms do. */
+static bool is_walled(const rs_join_rules *rules, const rs_graph *graph, uint16_t root)
+{
+    return !rs_graph_lacks_walls(&rules->map_border, &graph->regions[root],
+                                 rules->unwalled_permille);
+}
+
+/* Whether two regions together are still as narrow as a hall. */
+static bool make_hall(const rs_join_rules *rules, const rs_graph *graph, uint16_t a, uint16_t b)
+{
+    rs_shape both = rs_shape_join(&graph->shapes[a], &graph->shapes[b]);
+
+    return rs_shape_is_narrow(&both, graph->regions[a].peak_x, graph->regions[a].peak_y,
+                              rules->hall_cells);
+}
+
+/* Whether a region is a hall by itself: as narrow as one, and at least twice as long as the
+ * widest. */
+static bool is_hall(const rs_join_rules *rules, const rs_graph *graph, uint16_t root)
+{
+    const rs_region *region = &graph->regions[root];
+
+    return region->area > 2u * rules->hall_cells * rules->hall_cells &&
+           rs_shape_is_narrow(&graph->shapes[root], region->peak_x, region->peak_y,
+                              rules->hall_cells);
+}
+
+/* Pieces of one hall come between niches and what is open without a wall. */
+#define HALL_KEY (OPENING_KEY * 3u / 10u)
+
+/* Where people live, furniture makes openings narrow, and walls decide what is a door. */
+static uint32_t lived_in_key(const rs_join_rules *rules, rs_graph *graph, uint32_t saddle,
+                             uint16_t a, uint16_t b, uint32_t key)
+{
+    uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
+    contact shared = find_contact(graph, a, b);
+    bool open_plan, wide;
+
+    if (shared.wall < 2u * rules->stub_cells && make_hall(rules, graph, a, b)) {
+        return rs_max_u32(key, HALL_KEY + saddle);
+    }
+    if (shared.wall >= rules->shared_wall_cells ||
+        (shared.wall >= rules->stub_cells && shared.border <= rules->door_cells)) {
+        return 0;
+    }
+    if (key > 0u || is_hall(rules, graph, a) != is_hall(rules, graph, b) ||
+        !is_walled(rules, graph, a) || !is_walled(rules, graph, b)) {
+        return key;
+    }
+    open_plan = shared.wall <= rules->no_wall_cells &&
+                openness(saddle, p, q, rules->open_plan_percent) != 0u;
+    wide = shared.border > rules->door_cells && 2u * shared.wall <= shared.border &&
+           openness(saddle, p, q, rules->passage_opening_percent) != 0u;
+    return open_plan ? 2u * last_key(saddle, p, q) : wide ? last_key(saddle, p, q) : 0u;
 }
 
 uint32_t rs_join_key(const rs_join_rules *rules, rs_graph *graph, uint32_t e, bool hopeful)
@@ -133,22 +199,12 @@ uint32_t rs_join_key(const rs_join_rules *rules, rs_graph *graph, uint32_t e, bo
     uint32_t saddle = graph->edges[e].saddle;
     uint16_t a = rs_cluster_root(graph->regions, graph->edges[e].a);
     uint16_t b = rs_cluster_root(graph->regions, graph->edges[e].b);
-    uint32_t p = graph->regions[a].peak, q = graph->regions[b].peak;
     uint32_t key;
-    contact shared;
 
-    if (a == b || saddle == 0u || p == 0u || q == 0u) {
+    if (a == b || saddle == 0u || graph->regions[a].peak == 0u || graph->regions[b].peak == 0u) {
         return 0;
     }
     key = opening_key(rules, graph, saddle, a, b, hopeful);
-    if (key == 0u && !rules->lived_in && openness(saddle, p, q, END_TO_END_PERCENT) == 0u) {
-        return 0; /* spares the way around the regions */
-    }
-    shared = find_contact(graph, a, b);
-    if (shared.wall >= rules->shared_wall_cells ||
-        (rules->lived_in && shared.wall >= rules->stub_cells &&
-         shared.border <= rules->door_cells)) {
-        return 0;
-    }
-    return rs_max_u32(key, unwalled_key(rules, saddle, p, q, shared));
+    return rules->lived_in ? lived_in_key(rules, graph, saddle, a, b, key)
+                           : plain_key(rules, graph, saddle, a, b, key);
 }

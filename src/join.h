@@ -19,6 +19,9 @@ typedef struct rs_join_rules {
     uint32_t no_wall_cells;     /* at most this much shared wall is none */
     uint32_t stub_cells;        /* from here on a wall can hold a door */
     uint32_t door_cells;        /* longer borders are no doors */
+    uint32_t hall_cells;        /* what is at most that wide together is one hall */
+    uint32_t unwalled_permille; /* regions with a smaller share of the map's walls ... */
+    rs_map_border map_border;   /* ... in their border were seen through a window */
 } rs_join_rules;
 
 #define RS_JOIN_MAX_NEIGHBOURS 8u

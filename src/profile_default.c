@@ -10,6 +10,7 @@
 #include "plan.h"
 #include "profile.h"
 #include "rooms.h"
+#include "shape.h"
 #include "threshold.h"
 #include "watershed.h"
 
@@ -22,6 +23,7 @@ typedef struct rs_buffers {
     rs_graph graph;
     uint32_t max_edges;
     rs_column *columns;
+    rs_shape *shapes;
     rs_heap_item *heap;
     rs_room_records records;
 } rs_buffers;
@@ -47,10 +49,12 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->ring.count = 0;
     b->graph.regions = AT(regions);
     b->graph.edges = AT(edges);
+    b->graph.shapes = NULL;
     b->graph.region_count = 0;
     b->graph.edge_count = 0;
     b->max_edges = (uint32_t)ROOMSEG_PLAN_EDGES(config->max_regions);
     b->columns = AT(columns);
+    b->shapes = AT(shapes);
     b->heap = AT(heap);
     b->records.rooms = AT(rooms);
     b->records.sums = AT(room_sums);
@@ -93,6 +97,9 @@ static rs_join_rules join_rules(const roomseg_config *config, uint32_t resolutio
     rules.teeth_cells = TEETH_MM / resolution_mm;
     rules.stub_cells = rs_max_u32(1u, STUB_MM / resolution_mm);
     rules.door_cells = config->door_mm / resolution_mm;
+    rules.hall_cells = config->hall_mm / resolution_mm;
+    rules.unwalled_permille = config->unwalled_percent * 10u;
+    rules.map_border = (rs_map_border){0, 0}; /* only the graph tells */
     return rules;
 }
 
@@ -132,32 +139,50 @@ static int clear_small(const roomseg_config *config, const rs_frame *frame, uint
                : status;
 }
 
+/* Regions become rooms; where people live, their shapes tell halls. */
+static int merge(const roomseg_config *config, const rs_frame *frame, const rs_labels *labels,
+                 uint32_t resolution_mm, rs_buffers *b, rs_ticker *ticker)
+{
+    rs_join_rules rules = join_rules(config, resolution_mm);
+    uint32_t floor = total_area(&b->graph);
+    int status = ROOMSEG_OK;
+
+    rules.lived_in = b->graph.clutter > permille_of(floor, config->lived_in_permille);
+    rules.map_border = rs_graph_map_border(&b->graph);
+    if (rules.lived_in) {
+        b->graph.shapes = b->shapes;
+        rs_ticker_part(ticker, 0, 500);
+        status = rs_shape_measure(frame, labels, b->graph.region_count, b->shapes, ticker);
+        rs_ticker_part(ticker, 500, 1000);
+    }
+    if (status == ROOMSEG_OK) {
+        status = rs_merge_run(&rules, &b->graph, b->heap, ticker);
+    }
+    if (status == ROOMSEG_OK) {
+        uint32_t isolated = permille_of(floor, config->isolated_permille);
+        rs_drop_run(rs_max_u32(rules.smallest_cells, isolated), config->unwalled_percent,
+                    &b->graph);
+    }
+    return status;
+}
+
 /* Stages behind the crop, on placed buffers. */
 static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                       const rs_frame *frame, const rs_labels *labels, rs_buffers *b,
                       rs_ticker *ticker)
 {
     uint32_t mm = grid->resolution_mm;
-    rs_join_rules rules = join_rules(config, mm);
-    uint32_t isolated = 0;
+    uint32_t smallest_cells = cells_of(config->smallest_room_mm2, mm * mm);
     int status;
 
     status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);
-    STAGE(COMPONENTS, clear_small(config, frame, mm, rules.smallest_cells, b, ticker));
+    STAGE(COMPONENTS, clear_small(config, frame, mm, smallest_cells, b, ticker));
     STAGE(SURFACE, rs_distance_run(frame, mm, b->surface, &b->distance, ticker));
     STAGE(WATERSHED, rs_watershed_run(frame, b->surface, config->max_regions, labels,
                                       &b->graph.region_count, &b->ring, ticker));
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, b->columns, ticker));
-    if (status == ROOMSEG_OK) {
-        uint32_t floor = total_area(&b->graph);
-        isolated = rs_max_u32(rules.smallest_cells, permille_of(floor, config->isolated_permille));
-        rules.lived_in = b->graph.clutter > permille_of(floor, config->lived_in_permille);
-    }
-    STAGE(MERGE, rs_merge_run(&rules, &b->graph, b->heap, ticker));
-    if (status == ROOMSEG_OK) {
-        rs_drop_run(isolated, config->unwalled_percent, &b->graph);
-    }
+    STAGE(MERGE, merge(config, frame, labels, mm, b, ticker));
     STAGE(ROOMS, rs_rooms_number(&b->graph, &b->records, b->heap));
     if (status == ROOMSEG_OK) {
         status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,

@@ -102,6 +102,7 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
     b->graph.regions = AT(regions);
     b->graph.edges = AT(edges);
     b->heap = AT(heap);
+    b->graph.shapes = NULL;
     b->marks = AT(marks);
     b->line_rows = AT(line_rows);
     b->records.rooms = AT(rooms);

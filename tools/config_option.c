@@ -32,6 +32,7 @@ static const numeric_field numeric_fields[] = {
     FIELD(lived_in_permille),
     FIELD(open_plan_percent),
     FIELD(door_mm),
+    FIELD(hall_mm),
     FIELD(unwalled_percent),
     FIELD(dilation_mm),
     FIELD(seed_obstacle_permille),

@@ -26,6 +26,7 @@ PICTURES = (
     ("lived_in_permille", (1000, 3), "medium", 20),
     ("open_plan_percent", (100, 50), "small", 11),
     ("door_mm", (10000, 950, 400), "small", 19),
+    ("hall_mm", (0, 1600), "small", 18),
     ("unwalled_percent", (0, 50), "medium", 12),
 )
 

@@ -10,6 +10,7 @@
  *   envelope                         #####
  *   ring                                   #######                      (1/8 byte a cell)
  *   graph                                          ############################
+ *   shapes                                               #####
  *   rooms                                                      ################
  *   doorways                                                            #######
  *
@@ -29,6 +30,7 @@
 #define ROOMSEG_QUEUE_BLOCK_BYTES 32u
 #define ROOMSEG_QUEUE_BLOCK_CELLS 7u
 #define ROOMSEG_REGION_BYTES 32u
+#define ROOMSEG_SHAPE_BYTES 48u
 #define ROOMSEG_EDGE_BYTES 24u
 #define ROOMSEG_COLUMN_BYTES 4u
 #define ROOMSEG_HEAP_ITEM_BYTES 8u
@@ -73,6 +75,7 @@
     X(S, regions, ROOMSEG_REGION_BYTES, (size_t)(max_regions) + 1u, 4, 7)                         \
     X(S, edges, ROOMSEG_EDGE_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 4, 7)                        \
     X(S, columns, ROOMSEG_COLUMN_BYTES, (size_t)(w), 4, 4)                                        \
+    X(S, shapes, ROOMSEG_SHAPE_BYTES, (size_t)(max_regions) + 1u, 5, 5)                           \
     X(S, heap, ROOMSEG_HEAP_ITEM_BYTES, ROOMSEG_PLAN_EDGES(max_regions), 5, 7)                    \
     X(S, rooms, ROOMSEG_ROOM_BYTES, (size_t)(max_rooms), 6, 7)                                    \
     X(S, room_sums, ROOMSEG_ROOM_SUM_BYTES, (size_t)(max_rooms), 6, 6)                            \
@@ -173,7 +176,9 @@
         ROOMSEG_PLAN_MAX(                                                        \
             ROOMSEG_PLAN_AT(3, w, h, small, regions, rooms),                     \
             ROOMSEG_PLAN_MAX(ROOMSEG_PLAN_AT(4, w, h, small, regions, rooms),    \
-                             ROOMSEG_PLAN_AT(7, w, h, small, regions, rooms))))
+                             ROOMSEG_PLAN_MAX(                                   \
+                                 ROOMSEG_PLAN_AT(5, w, h, small, regions, rooms), \
+                                 ROOMSEG_PLAN_AT(7, w, h, small, regions, rooms)))))
 
 /* The same for the default profile's parameters. */
 #define ROOMSEG_ARENA_SIZE_DEFAULT(w, h, resolution_mm)                                  \

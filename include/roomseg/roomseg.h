@@ -54,6 +54,7 @@ extern "C" {
 #define ROOMSEG_MIN_SHARED_WALL_MM 200u
 #define ROOMSEG_MAX_SHARED_WALL_MM 10000000u
 #define ROOMSEG_MAX_DOOR_MM 10000u
+#define ROOMSEG_MAX_HALL_MM 10000u
 #define ROOMSEG_MAX_DILATION_MM 1000u
 #define ROOMSEG_MAX_BORDER_MM 1000000u
 #define ROOMSEG_MAX_REGIONS 65531u
@@ -182,7 +183,7 @@ typedef struct roomseg_config {
      * to their own widths: opening >= percent/100 * sqrt(width_a * width_b), where a
      * width is the diameter of the largest inscribed circle. 1..100; default 83.
      * Without a wall between them 72 percent are enough, when the opening takes 78 percent of
-     * the narrower width: two pieces of a corridor. */
+     * the narrower width: two pieces of a corridor (where nobody lives, see lived_in_permille). */
     uint32_t room_opening_percent;
 
     /* The same between two regions that are both passages, that is, have
@@ -201,15 +202,22 @@ typedef struct roomseg_config {
      * walls have to decide. A map shows one when more than this share of the floor is taken by
      * certain obstacles that speck_mm2 and clutter_mm ignore (single cells are noise and do not
      * count) [1/1000], 0..1000 (never); default 3. Then two regions
+     * - that are still as narrow as a hall together, hall_mm [mm], 0 (never)..
+     *   ROOMSEG_MAX_HALL_MM, default 1600, are one room, unless they share 600 mm of wall or
+     *   more, which is a door's frame. That width is the one of the rectangle with the same second
+     *   moments, so that neither furniture nor a bay counts for much, nor the direction;
      * - without a shared wall are one room from the opening open_plan_percent on: 1..100, the
      *   same measure as room_opening_percent; default 50;
      * - whose common border is longer than a door is wide, door_mm [mm], 0..
      *   ROOMSEG_MAX_DOOR_MM, default 950, are one room, too, when they share at most half as
      *   much wall and the opening is passage_opening_percent or more;
-     * - with a shorter border and at least 300 mm of shared wall stay two rooms. */
+     * - with a shorter border and at least 300 mm of shared wall stay two rooms.
+     * The middle two do not join a hall that is twice as long as wide or longer to what is none,
+     * nor what has too few walls of its own (unwalled_percent) to anything. */
     uint32_t lived_in_permille;
     uint32_t open_plan_percent;
     uint32_t door_mm;
+    uint32_t hall_mm;
 
     /* What was only seen through a window or an open door is no room: its border consists
      * of walls (cells of occupied_min or more) by less than this percentage of the share

@@ -70,6 +70,7 @@ static void test_the_default_config_is_the_documented_one(void)
     TEST_ASSERT_EQUAL_UINT(3, config.lived_in_permille);
     TEST_ASSERT_EQUAL_UINT(50, config.open_plan_percent);
     TEST_ASSERT_EQUAL_UINT(950, config.door_mm);
+    TEST_ASSERT_EQUAL_UINT(1600, config.hall_mm);
     TEST_ASSERT_EQUAL_UINT(50, config.unwalled_percent);
     TEST_ASSERT_EQUAL_UINT(1024, config.max_regions);
     TEST_ASSERT_EQUAL_UINT(255, config.max_rooms);

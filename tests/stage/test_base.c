@@ -155,7 +155,7 @@ static rs_edge edges[EDGES];
 /* Regions of 10, 20, ... cells, each first met at cell 100 - its number. */
 static rs_graph make_graph(rs_graph_builder *builder, uint32_t max_edges)
 {
-    rs_graph graph = {regions, edges, REGIONS, 0, 0};
+    rs_graph graph = {regions, edges, NULL, REGIONS, 0, 0};
     return (rs_graph_begin(&graph, max_edges, builder), graph);
 }
 
@@ -222,7 +222,7 @@ static void test_a_graph_without_room(void)
             surface[rs_frame_index(&frame, i % 3, i / 3)] = !wall;
         }
         for (uint32_t room = EDGES + 1; room-- > 0;) {
-            rs_graph graph = {regions, edges, 4, 0, 0};
+            rs_graph graph = {regions, edges, NULL, 4, 0, 0};
             rs_ticker ticker = {0};
             int status = rs_graph_build(&frame, &grid, 204, surface, &labels, &graph, room,
                                         columns, &ticker);

@@ -23,7 +23,7 @@ static void draw(const char *const *rows, uint32_t height)
     TEST_ASSERT_LESS_OR_EQUAL_UINT32(MAX_CELLS, frame.width * height);
     memset(cells, 0, sizeof cells);
     grid = (roomseg_grid){cells, frame.width, height, frame.width, 40};
-    graph = (rs_graph){regions, edges, 0, 0, 0};
+    graph = (rs_graph){regions, edges, NULL, 0, 0, 0};
     for (uint32_t y = 0; y < height; y++) {
         for (uint32_t x = 0; x < frame.width; x++) {
             uint16_t label = flood_letter(rows[y][x]);

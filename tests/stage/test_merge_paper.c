@@ -30,7 +30,7 @@ void tearDown(void)
 /* Regions of these areas, the list ending with 0. */
 static void make_regions(const uint32_t *areas)
 {
-    graph = (rs_graph){regions, edges, 0, 0, 0};
+    graph = (rs_graph){regions, edges, NULL, 0, 0, 0};
     while (areas[graph.region_count] > 0) {
         graph.region_count++;
     }

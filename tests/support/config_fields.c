@@ -21,6 +21,7 @@ const config_field config_fields[] = {
     FIELD(lived_in_permille, 0, 1000),
     FIELD(open_plan_percent, 1, 100),
     FIELD(door_mm, 0, ROOMSEG_MAX_DOOR_MM),
+    FIELD(hall_mm, 0, ROOMSEG_MAX_HALL_MM),
     FIELD(unwalled_percent, 0, 100),
     FIELD(dilation_mm, 0, ROOMSEG_MAX_DILATION_MM),
     FIELD(seed_obstacle_permille, 0, 499),

@@ -13,6 +13,7 @@ color rule_paint(int rule) {
         {25, 113, 194}, /* passages */
         {240, 140, 0},  /* niche */
         {156, 54, 181}, /* no wall */
+        {12, 133, 153}, /* hall */
         {160, 92, 46},  /* too small */
     };
     return paints[rule];

@@ -9,6 +9,7 @@ static roomseg_config only_up_to(const roomseg_config *config, join_rule last) {
     c.passage_opening_percent = last < JOIN_PASSAGE ? 100 : c.passage_opening_percent;
     c.niche_mm2 = last < JOIN_NICHE ? 0 : c.niche_mm2;
     c.lived_in_permille = last < JOIN_NO_WALL ? 1000 : c.lived_in_permille;
+    c.hall_mm = last < JOIN_HALL ? 0 : c.hall_mm;
     c.smallest_room_mm2 = last < JOIN_SMALL ? 0 : c.smallest_room_mm2;
     return c;
 }

@@ -10,7 +10,8 @@ typedef enum join_rule {
     JOIN_ROOM,      /* room_opening_percent */
     JOIN_PASSAGE,   /* passage_opening_percent */
     JOIN_NICHE,     /* niche_mm2 */
-    JOIN_NO_WALL, /* open_plan_percent, door_mm, on maps that are lived in */
+    JOIN_NO_WALL,   /* open_plan_percent, door_mm, on maps that are lived in */
+    JOIN_HALL,      /* hall_mm, on such maps, too */
     JOIN_SMALL,     /* smallest_room_mm2 */
     JOIN_COUNT
 } join_rule;

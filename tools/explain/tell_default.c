@@ -77,6 +77,8 @@ static const char *const rule_texts[JOIN_COUNT] = {
     "The floor is cluttered (<code>lived_in_permille</code>), and either they share no wall and the "
     "opening is at least <code>open_plan_percent</code> of their width, or their border is longer "
     "than <code>door_mm</code> and than twice the wall they share.",
+    "The floor is cluttered, and both together are still as narrow as a hall, "
+    "<code>hall_mm</code>.",
     "One is smaller than <code>smallest_room_mm2</code>: it joins the neighbour with the widest "
     "opening.",
 };
@@ -116,6 +118,7 @@ static void tell_graph(const explanation *e, FILE *page, int *section) {
     page_parameter(page, "lived_in_permille", c->lived_in_permille, " &permil;");
     page_parameter(page, "open_plan_percent", c->open_plan_percent, " %");
     page_length(page, "door_mm", c->door_mm, cell_mm(e));
+    page_length(page, "hall_mm", c->hall_mm, cell_mm(e));
     page_area(page, "smallest_room_mm2", c->smallest_room_mm2, cell_mm(e));
     page_parameters_end(page);
     tell_rule_table(e, page);

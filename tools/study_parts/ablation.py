@@ -11,6 +11,7 @@ RULES = (
     ("rules for lived-in maps", {"lived_in_permille": 1000}),
     ("open-plan rule", {"open_plan_percent": 100}),
     ("wide openings", {"door_mm": 10000}),
+    ("halls", {"hall_mm": 0}),
     ("clutter", {"clutter_mm": 0}),
     ("specks", {"speck_mm2": 0}),
     ("smallest room", {"smallest_room_mm2": 0}),

@@ -1,5 +1,7 @@
 #include "cluster.h"
 
+#include "shape.h"
+
 uint16_t rs_cluster_root(rs_region *regions, uint16_t region)
 {
     while (regions[region].parent != region) {
@@ -31,6 +33,10 @@ uint16_t rs_cluster_unite(rs_graph *graph, uint16_t p, uint16_t q)
     rs_region *into = &regions[root];
     const rs_region *from = &regions[keep_p ? q : p];
 
+    if (graph->shapes != NULL) {
+        const rs_region *peak = from->peak > into->peak ? from : into;
+        rs_shape_unite(graph, root, keep_p ? q : p, peak->peak_x, peak->peak_y);
+    }
     splice_lists(graph, into->first_half, from->first_half);
     if (into->first_half == RS_NO_HALF) {
         into->first_half = from->first_half;
@@ -46,9 +52,6 @@ uint16_t rs_cluster_unite(rs_graph *graph, uint16_t p, uint16_t q)
     into->area += from->area;
     into->border += from->border;
     into->walls += from->walls;
-    if (graph->shapes != NULL) {
-        graph->shapes[root] = rs_shape_join(&graph->shapes[p], &graph->shapes[q]);
-    }
     regions[keep_p ? q : p].parent = root;
     return root;
 }

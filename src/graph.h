@@ -3,7 +3,6 @@
 #define RS_GRAPH_H
 
 #include "base.h"
-#include "shape.h"
 #include "watershed.h"
 
 /* How much of a region's border is walls. */
@@ -36,11 +35,20 @@ typedef struct rs_edge {
     uint32_t next[2];   /* next half-edge in the lists of a and b */
 } rs_edge;
 
+/* Sums over the cells that make up a region's area, each taken as a square, around its peak;
+ * modulo 2^32 and 2^64. xx, xy and yy are twelve times the sums, which makes them whole. */
+typedef struct rs_shape {
+    uint32_t x, y;
+    uint64_t xx, xy, yy; /* xx = RS_SHAPE_VAST: the region is no hall, and nothing holds */
+} rs_shape;
+
+#define RS_SHAPE_VAST UINT64_MAX
 #define RS_NO_HALF UINT32_MAX
 #define RS_GRAPH_LONGEST_WALL UINT16_MAX /* walls beyond it count as this long */
 
 RS_STATIC_ASSERT(sizeof(rs_region) == ROOMSEG_REGION_BYTES, region);
 RS_STATIC_ASSERT(sizeof(rs_edge) == ROOMSEG_EDGE_BYTES, edge);
+RS_STATIC_ASSERT(sizeof(rs_shape) == ROOMSEG_SHAPE_BYTES, shape);
 
 /* The last labelled cell of a column on the way down. */
 typedef struct rs_column {
@@ -55,7 +63,7 @@ RS_STATIC_ASSERT(sizeof(rs_column) == ROOMSEG_COLUMN_BYTES, column);
 typedef struct rs_graph {
     rs_region *regions;
     rs_edge *edges;
-    rs_shape *shapes; /* of the regions; NULL: not measured */
+    rs_shape *shapes; /* of the regions, see shape.h; NULL: not measured */
     uint32_t region_count, edge_count;
     uint32_t clutter; /* certain obstacles within regions, but single cells of a row */
 } rs_graph;

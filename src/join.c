@@ -1,6 +1,7 @@
 #include "join.h"
 
 #include "cluster.h"
+#include "shape.h"
 
 /* Whether a root has at least `wanted` distinct neighbours of at least `smallest` cells. */
 static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t smallest)
@@ -148,21 +149,15 @@ static bool is_walled(const rs_join_rules *rules, const rs_graph *graph, uint16_
 /* Whether two regions together are still as narrow as a hall. */
 static bool make_hall(const rs_join_rules *rules, const rs_graph *graph, uint16_t a, uint16_t b)
 {
-    rs_shape both = rs_shape_join(&graph->shapes[a], &graph->shapes[b]);
-
-    return rs_shape_is_narrow(&both, graph->regions[a].peak_x, graph->regions[a].peak_y,
-                              rules->hall_cells);
+    return rs_shape_are_narrow(graph, a, b, rules->hall_cells);
 }
 
 /* Whether a region is a hall by itself: as narrow as one, and at least twice as long as the
  * widest. */
 static bool is_hall(const rs_join_rules *rules, const rs_graph *graph, uint16_t root)
 {
-    const rs_region *region = &graph->regions[root];
-
-    return region->area > 2u * rules->hall_cells * rules->hall_cells &&
-           rs_shape_is_narrow(&graph->shapes[root], region->peak_x, region->peak_y,
-                              rules->hall_cells);
+    return graph->regions[root].area > 2u * rules->hall_cells * rules->hall_cells &&
+           rs_shape_are_narrow(graph, root, root, rules->hall_cells);
 }
 
 /* Pieces of one hall come between niches and what is open without a wall. */

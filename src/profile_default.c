@@ -140,10 +140,10 @@ static int clear_small(const roomseg_config *config, const rs_frame *frame, uint
 }
 
 /* Regions become rooms; where people live, their shapes tell halls. */
-static int merge(const roomseg_config *config, const rs_frame *frame, const rs_labels *labels,
-                 uint32_t resolution_mm, rs_buffers *b, rs_ticker *ticker)
+static int merge(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
+                 const rs_labels *labels, rs_buffers *b, rs_ticker *ticker)
 {
-    rs_join_rules rules = join_rules(config, resolution_mm);
+    rs_join_rules rules = join_rules(config, grid->resolution_mm);
     uint32_t floor = total_area(&b->graph);
     int status = ROOMSEG_OK;
 
@@ -152,7 +152,7 @@ static int merge(const roomseg_config *config, const rs_frame *frame, const rs_l
     if (rules.lived_in) {
         b->graph.shapes = b->shapes;
         rs_ticker_part(ticker, 0, 500);
-        status = rs_shape_measure(frame, labels, b->graph.region_count, b->shapes, ticker);
+        status = rs_shape_measure(frame, grid, config->occupied_min, labels, &b->graph, ticker);
         rs_ticker_part(ticker, 500, 1000);
     }
     if (status == ROOMSEG_OK) {
@@ -182,7 +182,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                                       &b->graph.region_count, &b->ring, ticker));
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, b->columns, ticker));
-    STAGE(MERGE, merge(config, frame, labels, mm, b, ticker));
+    STAGE(MERGE, merge(config, grid, frame, labels, b, ticker));
     STAGE(ROOMS, rs_rooms_number(&b->graph, &b->records, b->heap));
     if (status == ROOMSEG_OK) {
         status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,

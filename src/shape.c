@@ -1,23 +1,57 @@
 #include "shape.h"
 
-/* Adds the cells first..end - 1 of row y. */
-static void add_run(rs_shape *shape, uint32_t first, uint32_t end, uint32_t y)
-{
-    uint64_t n = end - first, twice_mid = (uint64_t)first + end - 1u;
+/* No shape has as many cells, nor twelve times the sum of their squared distances: all
+ * products stay below 2^62, since |sum of u|^2 <= cells * sum of u^2. */
+#define MOST_CELLS (1u << 20)
+#define MOST_SQUARES ((int64_t)1 << 42)
 
-    shape->cells += n;
-    shape->x += twice_mid * n / 2u; /* one of the factors is even */
-    shape->y += y * n;
-    shape->xx += 3u * n * twice_mid * twice_mid + n * n * n;
-    shape->xy += 6u * n * twice_mid * y;
-    shape->yy += n * (12u * (uint64_t)y * y + 1u);
+/* The same sums, signed, with the number of cells; cells = 0: vast. */
+typedef struct moments {
+    int64_t cells, x, y, xx, xy, yy;
+} moments;
+
+/* Adds the cells first..end - 1 of row y. */
+static void add_run(const rs_region *region, rs_shape *shape, uint32_t first, uint32_t end,
+                    uint32_t y)
+{
+    int64_t n = (int64_t)end - first;
+    int64_t twice_u = (int64_t)first + end - 1 - 2 * (int64_t)region->peak_x;
+    int64_t v = (int64_t)y - region->peak_y;
+
+    shape->x += (uint32_t)(twice_u * n / 2); /* one of the factors is even */
+    shape->y += (uint32_t)(v * n);
+    shape->xx += (uint64_t)(3 * n * twice_u * twice_u + n * n * n);
+    shape->xy += (uint64_t)(6 * n * twice_u * v);
+    shape->yy += (uint64_t)(n * (12 * v * v + 1));
 }
 
-int rs_shape_measure(const rs_frame *frame, const rs_labels *labels, uint32_t label_count,
-                     rs_shape *shapes, rs_ticker *ticker)
+/* The cells first..end - 1 of a region but for certain obstacles. */
+static void add_cells(const uint8_t *cells, uint8_t occupied_min, const rs_region *region,
+                      rs_shape *shape, uint32_t first, uint32_t end, uint32_t y)
 {
-    memset(shapes, 0, (label_count + 1u) * sizeof *shapes);
+    if (rs_highest(cells + first, end - first) < occupied_min) {
+        add_run(region, shape, first, end, y);
+        return;
+    }
+    for (uint32_t x = first; x < end; x++) {
+        if (cells[x] < occupied_min) {
+            add_run(region, shape, x, x + 1u, y);
+        }
+    }
+}
+
+static bool is_vast(uint32_t area, const rs_shape *shape)
+{
+    return area >= MOST_CELLS || shape->xx >= (uint64_t)MOST_SQUARES ||
+           shape->yy >= (uint64_t)MOST_SQUARES;
+}
+
+int rs_shape_measure(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
+                     const rs_labels *labels, rs_graph *graph, rs_ticker *ticker)
+{
+    memset(graph->shapes, 0, (graph->region_count + 1u) * sizeof *graph->shapes);
     for (uint32_t y = 0; y < frame->height; y++) {
+        const uint8_t *cells = grid->cells + (size_t)(frame->y + y) * grid->stride + frame->x;
         const uint16_t *row = labels->cells + (size_t)y * labels->stride;
         uint32_t x;
 
@@ -26,63 +60,89 @@ int rs_shape_measure(const rs_frame *frame, const rs_labels *labels, uint32_t la
         }
         x = rs_skip_label(row, 0, frame->width, 0);
         while (x < frame->width) {
-            uint32_t end = rs_skip_label(row, x, frame->width, row[x]);
+            uint16_t label = row[x];
+            uint32_t end = rs_skip_label(row, x, frame->width, label);
 
-            add_run(&shapes[row[x]], x, end, y);
+            add_cells(cells, occupied_min, &graph->regions[label], &graph->shapes[label], x, end,
+                      y);
             x = rs_skip_label(row, end, frame->width, 0);
+        }
+    }
+    for (uint32_t r = 1; r <= graph->region_count; r++) {
+        if (is_vast(graph->regions[r].area, &graph->shapes[r])) {
+            graph->shapes[r].xx = RS_SHAPE_VAST;
         }
     }
     return ROOMSEG_OK;
 }
 
-rs_shape rs_shape_join(const rs_shape *a, const rs_shape *b)
+/* A root's moments around (x, y). */
+static moments around(const rs_graph *graph, uint16_t root, uint32_t x, uint32_t y)
 {
-    rs_shape sum = *a;
+    const rs_region *region = &graph->regions[root];
+    const rs_shape *shape = &graph->shapes[root];
+    int64_t n = region->area, u = (int32_t)shape->x, v = (int32_t)shape->y;
+    int64_t dx = (int64_t)region->peak_x - x, dy = (int64_t)region->peak_y - y;
 
-    sum.x += b->x;
-    sum.y += b->y;
-    sum.xx += b->xx;
-    sum.xy += b->xy;
-    sum.yy += b->yy;
-    sum.cells += b->cells;
+    if (shape->xx == RS_SHAPE_VAST) {
+        return (moments){0, 0, 0, 0, 0, 0};
+    }
+    return (moments){n,
+                     u + n * dx,
+                     v + n * dy,
+                     (int64_t)shape->xx + 12 * dx * (2 * u + n * dx),
+                     (int64_t)shape->xy + 12 * (dx * v + dy * u + n * dx * dy),
+                     (int64_t)shape->yy + 12 * dy * (2 * v + n * dy)};
+}
+
+static moments sum_of(const moments *a, const moments *b)
+{
+    moments sum = {a->cells + b->cells, a->x + b->x,   a->y + b->y,
+                   a->xx + b->xx,       a->xy + b->xy, a->yy + b->yy};
+
+    if (a->cells == 0 || b->cells == 0 || sum.cells >= MOST_CELLS || sum.xx >= MOST_SQUARES ||
+        sum.yy >= MOST_SQUARES) {
+        sum.cells = 0;
+    }
     return sum;
 }
 
-/* Twelve times a sum of (u - u0) * (v - v0) from the sums of u, v and twelve times u * v. */
-static int64_t recentred(uint64_t uv, uint64_t u, uint64_t v, uint32_t u0, uint32_t v0, uint64_t n)
+void rs_shape_unite(rs_graph *graph, uint16_t into, uint16_t from, uint32_t x, uint32_t y)
 {
-    return (int64_t)(uv - 12u * (v0 * u + u0 * v - n * u0 * v0));
+    moments a = around(graph, into, x, y), b = around(graph, from, x, y);
+    moments sum = sum_of(&a, &b);
+
+    graph->shapes[into] = (rs_shape){(uint32_t)sum.x, (uint32_t)sum.y, (uint64_t)sum.xx,
+                                     (uint64_t)sum.xy, (uint64_t)sum.yy};
+    if (sum.cells == 0) {
+        graph->shapes[into].xx = RS_SHAPE_VAST;
+    }
 }
 
-bool rs_shape_is_narrow(const rs_shape *shape, uint32_t x, uint32_t y, uint32_t width)
+bool rs_shape_are_narrow(const rs_graph *graph, uint16_t a, uint16_t b, uint32_t width)
 {
-    const int64_t most = (int64_t)1 << 42;
-    int64_t n = (int64_t)shape->cells;
-    int64_t sx, sy, xx, xy, yy, limit, greatest;
+    const rs_region *region = &graph->regions[a];
+    moments m = around(graph, a, region->peak_x, region->peak_y);
+    int64_t limit, greatest;
 
-    if (shape->cells == 0u || shape->cells >= 1u << 20) {
+    if (a != b) {
+        moments other = around(graph, b, region->peak_x, region->peak_y);
+        m = sum_of(&m, &other);
+    }
+    if (m.cells == 0) {
         return false;
     }
-    sx = (int64_t)(shape->x - shape->cells * x);
-    sy = (int64_t)(shape->y - shape->cells * y);
-    xx = recentred(shape->xx, shape->x, shape->x, x, x, shape->cells);
-    yy = recentred(shape->yy, shape->y, shape->y, y, y, shape->cells);
-    xy = recentred(shape->xy, shape->x, shape->y, x, y, shape->cells);
-    if (xx >= most || yy >= most) {
-        return false;
-    }
-    /* n^2 times the squared widths along the axes: 12 times the variances. All products stay
-     * below 2^62, for sx^2 <= n * sum of (u - u0)^2. */
-    xx = n * xx - 12 * sx * sx;
-    yy = n * yy - 12 * sy * sy;
-    xy = n * xy - 12 * sx * sy;
-    limit = n * n * (int64_t)(width * width);
-    for (greatest = xx > yy ? xx : yy; greatest >= (int64_t)1 << 31; greatest /= 2) {
-        xx /= 2;
-        yy /= 2;
-        xy /= 2;
+    /* cells^2 times the squared widths along the axes, which are 12 times the variances. */
+    m.xx = m.cells * m.xx - 12 * m.x * m.x;
+    m.yy = m.cells * m.yy - 12 * m.y * m.y;
+    m.xy = m.cells * m.xy - 12 * m.x * m.y;
+    limit = m.cells * m.cells * (int64_t)(width * width);
+    for (greatest = m.xx > m.yy ? m.xx : m.yy; greatest >= (int64_t)1 << 31; greatest /= 2) {
+        m.xx /= 2;
+        m.yy /= 2;
+        m.xy /= 2;
         limit /= 2;
     }
     /* The smaller eigenvalue of ((xx, xy), (xy, yy)) is at most the limit. */
-    return xx <= limit || yy <= limit || (xx - limit) * (yy - limit) <= xy * xy;
+    return m.xx <= limit || m.yy <= limit || (m.xx - limit) * (m.yy - limit) <= m.xy * m.xy;
 }

@@ -163,7 +163,7 @@ static void test_the_readme_formula(void)
             double by_rooms = 128.0 * config.max_regions + 100.0 * config.max_rooms;
             double formula = by_graph > by_ring ? by_graph : by_ring;
             formula = formula > by_runs ? formula : by_runs;
-            double by_shapes = 176.0 * config.max_regions;
+            double by_shapes = 160.0 * config.max_regions;
             formula = formula > by_rooms ? formula : by_rooms;
             formula = formula > by_shapes ? formula : by_shapes;
             TEST_ASSERT_DOUBLE_WITHIN(0.01 * (double)exact, formula, (double)exact);

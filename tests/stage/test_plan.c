@@ -79,9 +79,50 @@ static void test_crops_and_capacities(void)
     }
 }
 
+static bool together(const rs_plan_row *a, const rs_plan_row *b)
+{
+    return a->first <= b->last && b->first <= a->last;
+}
+
+/* Why the plan holds for all sizes, not only those above. Where a lies above i in the table, at
+ * the same end of the arena, and both are alive together, i comes to lie behind a. If then all that
+ * is alive with i and stands below it, or at the other end, is alive with a, too, then every chain
+ * of buffers that push each other on, from both ends, is alive together in pairs; intervals that
+ * meet in pairs have a stage in common; so the chain is no longer than the bytes of that stage. */
+static void check_lifetimes(const rs_plan_row *rows, uint32_t count)
+{
+    int last = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        last = rows[i].last > last ? rows[i].last : last;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t a = 0; a < i; a++) {
+            bool pushes = (rows[a].last == last) == (rows[i].last == last);
+            for (uint32_t k = 0; pushes && together(&rows[a], &rows[i]) && k < count; k++) {
+                bool behind = k > i || (rows[k].last == last) != (rows[i].last == last);
+                TEST_ASSERT_TRUE(!behind || !together(&rows[i], &rows[k]) ||
+                                 together(&rows[a], &rows[k]));
+            }
+        }
+    }
+}
+
+static void test_lifetimes_leave_no_gaps(void)
+{
+    const rs_plan_row by_default[] = {ROOMSEG_PLAN_TABLE(ROW, , 1, 1, 1, 1, 1)};
+    const rs_plan_row paper[] = {ROOMSEG_PLAN_PAPER_TABLE(ROW, , 1, 1, 1, 1, 1)};
+    const rs_plan_row find[] = {ROOMSEG_PLAN_FIND_TABLE(ROW, , 1, 1, 1)};
+    const rs_plan_row turn[] = {ROOMSEG_PLAN_TURN_TABLE(ROW, , 1, 1, 1, 1, 1, 1, 1)};
+    check_lifetimes(by_default, sizeof by_default / sizeof *by_default);
+    check_lifetimes(paper, sizeof paper / sizeof *paper);
+    check_lifetimes(find, sizeof find / sizeof *find);
+    check_lifetimes(turn, sizeof turn / sizeof *turn);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_crops_and_capacities);
+    RUN_TEST(test_lifetimes_leave_no_gaps);
     return UNITY_END();
 }

@@ -10,6 +10,7 @@
 #include "../../src/cluster.c"
 #include "../../src/distance.c"
 #include "../../src/queue.c"
+#include "../../src/shape.c"
 #include "../../src/trig.c"
 
 static uint64_t tried;

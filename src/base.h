@@ -91,16 +91,29 @@ static inline uint32_t rs_max_u32(uint32_t a, uint32_t b)
 }
 
 /* The first of the cells x..end that is not `value`; end when there is none. x <= end. Reads a
- * machine word at a time. */
+ * machine word at a time, but for the first cell: in noise most runs are one cell long. */
 static inline uint32_t rs_skip(const uint8_t *cells, uint32_t x, uint32_t end, uint8_t value)
 {
     const size_t pattern = SIZE_MAX / 255u * value;
+    const uint32_t words_end = end - rs_min_u32(end, (uint32_t)sizeof pattern - 1u);
     size_t word;
+    uint32_t half;
 
-    while (end - x >= sizeof word) {
+    if (x < end && cells[x] != value) {
+        return x;
+    }
+    while (x < words_end) { /* a whole word lies before `end` */
         memcpy(&word, cells + x, sizeof word);
         if (word != pattern) {
-            break;
+            /* It is one of this word's. */
+            if (sizeof word > sizeof half) {
+                memcpy(&half, cells + x, sizeof half);
+                x += half == (uint32_t)pattern ? (uint32_t)sizeof half : 0u;
+            }
+            while (cells[x] == value) {
+                x++;
+            }
+            return x;
         }
         x += (uint32_t)sizeof word;
     }
@@ -115,9 +128,14 @@ static inline uint32_t rs_skip_label(const uint16_t *labels, uint32_t x, uint32_
                                      uint16_t label)
 {
     const size_t pattern = SIZE_MAX / 0xFFFFu * label;
+    const uint32_t words_end =
+        end - rs_min_u32(end, (uint32_t)(sizeof pattern / sizeof *labels) - 1u);
     size_t word;
 
-    while ((end - x) * sizeof *labels >= sizeof word) {
+    if (x < end && labels[x] != label) {
+        return x;
+    }
+    while (x < words_end) {
         memcpy(&word, labels + x, sizeof word);
         if (word != pattern) {
             break;

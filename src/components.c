@@ -77,22 +77,27 @@ static uint32_t find_runs(const uint8_t *row, uint32_t width, uint8_t value, rs_
 
     while (x < width) {
         runs[count].first = (uint16_t)x;
-        x = rs_skip(row, x, width, value);
+        x = rs_skip(row, x + 1u, width, value);
         runs[count].last = (uint16_t)(x - 1u);
         count++;
-        x = rs_skip(row, x, width, other);
+        x = rs_skip(row, rs_min_u32(x + 1u, width), width, other);
     }
     return count;
+}
+
+/* Cells of a run, RS_COMPONENT_OPEN of one that touches the border. */
+static uint32_t run_area(const rs_frame *frame, const rs_run *run, uint32_t y)
+{
+    bool at_border = y - 1u >= frame->height || run->first == 0u || run->last > frame->width;
+
+    return at_border ? RS_COMPONENT_OPEN : (uint32_t)run->last - run->first + 1u;
 }
 
 /* The run as a component of its own. */
 static void start_component(const rs_frame *frame, const rs_run *run, uint32_t y,
                             uint16_t slot, rs_component *c)
 {
-    bool at_border = y == 0u || y == frame->height + 1u || run->first == 0u ||
-                     run->last == frame->stride - 1u;
-
-    c->area = at_border ? RS_COMPONENT_OPEN : (uint32_t)run->last - run->first + 1u;
+    c->area = run_area(frame, run, y);
     c->min_x = run->first;
     c->max_x = run->last;
     c->min_y = (uint16_t)y;
@@ -103,31 +108,48 @@ static void start_component(const rs_frame *frame, const rs_run *run, uint32_t y
     c->unused = 0;
 }
 
-/* Gives every run of row y a component: its own, joined with those of all runs above that
- * share a column with it or, with reach 1, touch it at a corner. */
+/* The run as a part of a component that reaches row y - 1. */
+static void extend_component(const rs_frame *frame, const rs_run *run, uint32_t y,
+                             rs_component *c)
+{
+    c->area = add_area(c->area, run_area(frame, run, y));
+    c->min_x = c->min_x < run->first ? c->min_x : run->first;
+    c->max_x = c->max_x > run->last ? c->max_x : run->last;
+    c->max_y = (uint16_t)y;
+}
+
+/* Gives every run of row y a component: that of the first run above that shares a column with
+ * it or, with reach 1, touches it at a corner, joined with those of all others that do; one of
+ * its own where there is none. */
 static void join_row(const rs_frame *frame, uint32_t reach, const rs_run *above,
                      uint32_t above_count, rs_run *runs, uint32_t count, uint32_t y, slots *s)
 {
     uint32_t i = 0;
+    bool united = false;
 
     for (uint32_t j = 0; j < count; j++) {
-        uint16_t component = take_slot(s);
+        uint16_t component;
 
-        start_component(frame, &runs[j], y, component, &s->components[component]);
         while (i < above_count && above[i].last + reach < runs[j].first) {
             i++;
         }
-        while (i < above_count && above[i].first <= runs[j].last + reach) {
-            uint16_t root = find_root(s->components, above[i].component);
-            component = unite(s->components, root, find_root(s->components, component));
-            if (above[i].last + reach > runs[j].last) {
-                break; /* may reach the next run too */
+        if (i == above_count || above[i].first > runs[j].last + reach) {
+            component = take_slot(s);
+            start_component(frame, &runs[j], y, component, &s->components[component]);
+        } else {
+            component = find_root(s->components, above[i].component);
+            extend_component(frame, &runs[j], y, &s->components[component]);
+            /* A run above that reaches farther may touch the next run, too. */
+            while (above[i].last + reach <= runs[j].last && ++i < above_count &&
+                   above[i].first <= runs[j].last + reach) {
+                component = unite(s->components, component,
+                                  find_root(s->components, above[i].component));
+                united = true;
             }
-            i++;
         }
         runs[j].component = component;
     }
-    for (uint32_t j = 0; j < count; j++) {
+    for (uint32_t j = 0; united && j < count; j++) {
         runs[j].component = find_root(s->components, runs[j].component);
     }
 }

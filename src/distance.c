@@ -135,9 +135,18 @@ static uint32_t transform_run(uint8_t *row, uint32_t first, uint32_t end,
                               const rs_distance_scratch *scratch)
 {
     rs_basin *envelope = scratch->envelope;
-    uint32_t count = push_basin(envelope, 0, first - 1u, first - 1u, 0);
-    uint32_t level = 1, x = first;
+    uint32_t level = 1, x = first, count;
 
+    if (row[first + 1u] == 0u || row[first + 2u] == 0u) { /* all beside an obstacle */
+        level = follow_level(scratch->least, level, 1);
+        row[first] = (uint8_t)level;
+        x = first + 1u;
+        if (row[x] != 0u) {
+            row[x++] = (uint8_t)level;
+        }
+        return x;
+    }
+    count = push_basin(envelope, 0, first - 1u, first - 1u, 0);
     while (row[x] != 0u) { /* the border ends it */
         uint32_t next = rs_skip(row, x + 1u, end, row[x]);
 

@@ -121,17 +121,21 @@ typedef struct wall_scan {
     uint32_t certain;   /* certain obstacles within regions that end the row so far */
 } wall_scan;
 
-/* Notes a face between a cell of a region and the obstacle at crop position (x, y), which
- * may lie one cell outside of the crop and of the grid. */
-static void add_face(const source *from, rs_region *region, uint32_t x, uint32_t y)
+/* Whether the obstacle at crop position (x, y), which may lie one cell outside of the crop and of
+ * the grid, is certain. */
+static bool is_certain(const source *from, uint32_t x, uint32_t y)
 {
     uint32_t grid_x = from->frame->x + x, grid_y = from->frame->y + y; /* modulo 2^32 */
 
+    return grid_x < from->grid->width && grid_y < from->grid->height &&
+           from->grid->cells[(size_t)grid_y * from->grid->stride + grid_x] >= from->occupied_min;
+}
+
+/* Notes a face between a cell of a region and an obstacle. */
+static void add_face(rs_region *region, bool certain)
+{
     region->border++;
-    if (grid_x < from->grid->width && grid_y < from->grid->height) {
-        region->walls += from->grid->cells[(size_t)grid_y * from->grid->stride + grid_x] >=
-                         from->occupied_min;
-    }
+    region->walls += certain;
 }
 
 void rs_graph_begin(rs_graph *graph, uint32_t max_edges, rs_graph_builder *builder)
@@ -149,31 +153,45 @@ void rs_graph_begin(rs_graph *graph, uint32_t max_edges, rs_graph_builder *build
     }
 }
 
-/* Measures the faces of cell (x, y) and of its right and lower neighbours towards each
+/* A row of the crop; arrays by column. */
+typedef struct row_view {
+    const uint16_t *labels, *below; /* below: NULL behind the last row */
+    const uint8_t *heights, *cells; /* of the surface, of the grid */
+    uint32_t y, width;
+    uint32_t index; /* bordered index of its first cell */
+} row_view;
+
+/* Measures the faces of cell x of a row and of its right and lower neighbours towards each
  * other; here, right and lower are their labels. */
-static void measure_faces(const source *from, rs_region *regions, uint16_t here, uint16_t right,
-                          uint16_t lower, uint32_t x, uint32_t y)
+static void measure_faces(const source *from, rs_region *regions, const row_view *row,
+                          uint16_t here, uint16_t right, uint16_t lower, uint32_t x)
 {
     if (here == 0u) {
+        bool certain = row->cells[x] >= from->occupied_min;
+
         if (right != 0u) {
-            add_face(from, &regions[right], x, y);
+            add_face(&regions[right], certain);
         }
         if (lower != 0u) {
-            add_face(from, &regions[lower], x, y);
+            add_face(&regions[lower], certain);
         }
         return;
     }
     if (right == 0u) {
-        add_face(from, &regions[here], x + 1u, y);
+        add_face(&regions[here], x + 1u < row->width
+                                     ? row->cells[x + 1u] >= from->occupied_min
+                                     : is_certain(from, x + 1u, row->y));
     }
     if (lower == 0u) {
-        add_face(from, &regions[here], x, y + 1u);
+        add_face(&regions[here], row->below != NULL
+                                     ? row->cells[from->grid->stride + x] >= from->occupied_min
+                                     : is_certain(from, x, row->y + 1u));
     }
     if (x == 0u) {
-        add_face(from, &regions[here], 0u - 1u, y);
+        add_face(&regions[here], is_certain(from, 0u - 1u, row->y));
     }
-    if (y == 0u) {
-        add_face(from, &regions[here], x, 0u - 1u);
+    if (row->y == 0u) {
+        add_face(&regions[here], is_certain(from, x, 0u - 1u));
     }
 }
 
@@ -198,30 +216,25 @@ static bool measure_walls(const source *from, rs_graph_builder *builder, wall_sc
     rs_column *column = &scan->columns[x];
     bool stored = true;
 
-    if (here != 0u && right == 0u) {
-        scan->row_x = x;
-        scan->row_label = here;
+    if (here != 0u) {
+        if (right == 0u) {
+            scan->row_x = x;
+            scan->row_label = here;
+        }
+        if (lower == 0u) {
+            column->y = (uint16_t)y;
+            column->label = here;
+        }
+        return true;
     }
-    if (here != 0u && lower == 0u) {
-        column->y = (uint16_t)y;
-        column->label = here;
-    }
-    if (here == 0u && right != 0u && x - scan->row_x <= from->wall_cells) {
+    if (right != 0u && x - scan->row_x <= from->wall_cells) {
         stored = add_wall(builder, scan->row_label, right);
     }
-    if (here == 0u && lower != 0u && y - column->y <= from->wall_cells) {
+    if (lower != 0u && y - column->y <= from->wall_cells) {
         stored = stored && add_wall(builder, column->label, lower);
     }
     return stored;
 }
-
-/* A row of the crop; arrays by column. */
-typedef struct row_view {
-    const uint16_t *labels, *below; /* below: NULL behind the last row */
-    const uint8_t *heights, *cells; /* of the surface, of the grid */
-    uint32_t y, width;
-    uint32_t index; /* bordered index of its first cell */
-} row_view;
 
 /* The first of the cells x..end whose right and lower neighbours are not both labelled like cell
  * x; end < width. Reads a machine word at a time. */
@@ -232,6 +245,9 @@ static uint32_t skip_alike(const uint16_t *labels, const uint16_t *below, uint32
     const size_t pattern = SIZE_MAX / 0xFFFFu * here;
     size_t right, lower;
 
+    if (x == end || labels[x + 1u] != here || below[x] != here) {
+        return x;
+    }
     while (end - x >= CELLS) {
         memcpy(&right, labels + x + 1u, sizeof right);
         memcpy(&lower, below + x, sizeof lower);
@@ -246,21 +262,18 @@ static uint32_t skip_alike(const uint16_t *labels, const uint16_t *below, uint32
     return x;
 }
 
-/* Counts the next cell of a row. */
+/* Counts the next cell of a region in a row. */
 static void add_cell(const source *from, rs_graph *graph, wall_scan *scan, const row_view *row,
                      uint32_t x)
 {
-    uint16_t here = row->labels[x];
-
-    if (here != 0u && row->cells[x] >= from->occupied_min) {
+    if (row->cells[x] >= from->occupied_min) {
         scan->certain++;
         graph->clutter += scan->certain == 2u ? 2u : scan->certain > 2u;
         return;
     }
     scan->certain = 0;
-    if (here != 0u) {
-        rs_graph_add_cell(&graph->regions[here], row->heights[x], row->index + x, x, row->y);
-    }
+    rs_graph_add_cell(&graph->regions[row->labels[x]], row->heights[x], row->index + x, x,
+                      row->y);
 }
 
 /* Counts the cells x..end - 1 of a region. */
@@ -299,15 +312,16 @@ static bool read_cell(const source *from, rs_graph_builder *builder, wall_scan *
     uint16_t lower = row->below != NULL ? row->below[x] : (uint16_t)0;
 
     if (here == 0u || right == 0u || lower == 0u || x == 0u || row->y == 0u) {
-        measure_faces(from, builder->graph->regions, here, right, lower, x, row->y);
+        measure_faces(from, builder->graph->regions, row, here, right, lower, x);
         if (!measure_walls(from, builder, scan, here, right, lower, x, row->y)) {
             return false;
         }
     }
-    add_cell(from, builder->graph, scan, row, x);
     if (here == 0u) {
+        scan->certain = 0;
         return true;
     }
+    add_cell(from, builder->graph, scan, row, x);
     if (right != here && right != 0u &&
         !touch(builder, here, right, *height, height[1], x, row->y)) {
         return false;

@@ -64,12 +64,10 @@ static void add_run(roomseg_room *room, rs_room_sum *sum, uint32_t first, uint32
 static void label_run(const uint8_t *cells, uint8_t occupied_min, uint16_t room, uint16_t *labels,
                       uint32_t first, uint32_t end, uint32_t y, rs_room_records *records)
 {
-    bool whole = rs_highest(cells + first, end - first) < occupied_min;
-
     while (first < end) {
         uint32_t x = first;
 
-        while (x < end && (whole || cells[x] < occupied_min)) {
+        while (x < end && cells[x] < occupied_min) {
             labels[x++] = room;
         }
         if (room != 0u && x > first) {
@@ -82,16 +80,33 @@ static void label_run(const uint8_t *cells, uint8_t occupied_min, uint16_t room,
     }
 }
 
+/* The same for a run without certain obstacles. */
+static void label_clear_run(uint16_t room, uint16_t *labels, uint32_t first, uint32_t end,
+                            uint32_t y, rs_room_records *records)
+{
+    for (uint32_t x = first; x < end; x++) {
+        labels[x] = room;
+    }
+    if (room != 0u) {
+        add_run(&records->rooms[room - 1u], &records->sums[room - 1u], first, end - 1u, y);
+    }
+}
+
 static void label_row(const uint8_t *cells, uint8_t occupied_min, const rs_graph *graph,
                       uint16_t *labels, uint32_t width, uint32_t y, rs_room_records *records)
 {
     uint32_t x = rs_skip_label(labels, 0, width, 0);
 
     while (x < width) {
-        uint16_t region = labels[x];
-        uint32_t end = rs_skip_label(labels, x, width, region);
+        uint16_t region = labels[x], room = graph->regions[region].room;
+        uint32_t end = rs_skip_label(labels, x + 1u, width, region);
 
-        label_run(cells, occupied_min, graph->regions[region].room, labels, x, end, y, records);
+        if (cells[x] < occupied_min &&
+            rs_highest(cells + x + 1u, end - x - 1u) < occupied_min) {
+            label_clear_run(room, labels, x, end, y, records);
+        } else {
+            label_run(cells, occupied_min, room, labels, x, end, y, records);
+        }
         x = rs_skip_label(labels, end, width, 0);
     }
 }

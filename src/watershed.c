@@ -21,6 +21,7 @@ typedef struct flood {
     uint32_t row;      /* in work, of `rows` in all passes */
     uint32_t rows;
     uint32_t steps;    /* since the last tick, see follow() */
+    bool reached;      /* a reading found cells of plateaus beside a way up */
     bool lost;         /* cells of plateaus were not reached for want of room in the ring */
 } flood;
 
@@ -78,12 +79,13 @@ static int spread(flood *f)
         uint32_t x = rs_cell_x(cell), y = rs_cell_y(cell);
         const uint8_t *height = f->surface + rs_frame_index(f->frame, x, y);
         uint16_t *label = label_at(f, x, y);
+        uint8_t level = *height;
 
         if (tick(f, DIRECTIONS)) {
             return ROOMSEG_ERR_CANCELLED;
         }
         for (uint32_t d = 0; d < DIRECTIONS; d++) {
-            if (height[f->surface_step[d]] != *height || label[f->label_step[d]] != 0u) {
+            if (height[f->surface_step[d]] != level || label[f->label_step[d]] != 0u) {
                 continue;
             }
             if (rs_ring_push(f->ring, cell + cell_step[d])) {
@@ -119,16 +121,51 @@ static bool leads_up(const flood *f, const uint8_t *height, const uint16_t *labe
 static bool point_cell(const flood *f, const uint8_t *height, uint16_t *label, bool odd,
                        uint32_t hops)
 {
-    for (uint32_t k = 0; k < DIRECTIONS; k++) {
-        uint32_t d = odd ? k ^ 2u : k;
+    uint32_t flip = odd ? 2u : 0u;
+    uint8_t level = *height;
 
-        if (height[f->surface_step[d]] == *height &&
+    for (uint32_t k = 0; k < DIRECTIONS; k++) {
+        uint32_t d = k ^ flip;
+
+        if (height[f->surface_step[d]] == level &&
             leads_up(f, height + f->surface_step[d], label + f->label_step[d], hops)) {
             *label = (uint16_t)(POINTER + d);
             return true;
         }
     }
     return false;
+}
+
+/* Whether a machine word of labels tells that all its cells have a way up, or one of heights, that
+ * all are obstacles. */
+enum { WORD_LABELS = sizeof(size_t) / sizeof(uint16_t) };
+
+static bool is_settled(const uint8_t *row, const uint16_t *labels)
+{
+    const size_t pointers = SIZE_MAX / 0xFFFFu * 0x8000u; /* the highest bit of each */
+    size_t word, heights = 0;
+
+    memcpy(&word, labels, sizeof word);
+    memcpy(&heights, row, WORD_LABELS);
+    return (word & pointers) == pointers || heights == 0u;
+}
+
+/* The first of the cells x..end without a way up and without a label. */
+static uint32_t find_open(const uint8_t *row, const uint16_t *labels, uint32_t x, uint32_t end)
+{
+    while (x < end) {
+        uint32_t stop = rs_min_u32(x + WORD_LABELS, end);
+
+        for (; x < stop; x++) {
+            if (labels[x] == 0u && row[x] != 0u) {
+                return x;
+            }
+        }
+        while (end - x >= WORD_LABELS && is_settled(row + x, labels + x)) {
+            x += WORD_LABELS;
+        }
+    }
+    return end;
 }
 
 /* Cells of plateaus in row y that are beside a way up, see leads_up, point to it. With `enter`
@@ -142,9 +179,13 @@ static int reach_row(flood *f, uint32_t y, uint32_t hops, bool enter)
     if (tick(f, width)) {
         return ROOMSEG_ERR_CANCELLED;
     }
-    for (uint32_t x = 0; x < width; x++) {
-        if (labels[x] != 0u || row[x] == 0u ||
-            !point_cell(f, row + x, labels + x, is_odd(x, y) != 0u, hops) || !enter) {
+    for (uint32_t x = find_open(row, labels, 0, width); x < width;
+         x = find_open(row, labels, x + 1u, width)) {
+        if (!point_cell(f, row + x, labels + x, is_odd(x, y) != 0u, hops)) {
+            continue;
+        }
+        f->reached = true;
+        if (!enter) {
             continue;
         }
         if (f->ring->count == f->ring->capacity && spread(f) != ROOMSEG_OK) {
@@ -170,7 +211,8 @@ static int point_cells(flood *f)
         point_row(f->surface + rs_frame_index(frame, 0, y), frame->stride, frame->width, y,
                   label_at(f, 0, y));
     }
-    for (uint32_t hops = 1; hops <= RING_HOPS; hops++) {
+    for (uint32_t hops = 1; hops <= RING_HOPS && f->reached; hops++) {
+        f->reached = false; /* then there are none that are a step farther */
         for (uint32_t y = 0; status == ROOMSEG_OK && y < frame->height; y++, f->row++) {
             status = reach_row(f, y, hops, hops == RING_HOPS);
         }
@@ -258,22 +300,22 @@ static int settle_row(flood *f, uint32_t y)
     uint32_t width = f->frame->width;
     int status = tick(f, width) ? ROOMSEG_ERR_CANCELLED : ROOMSEG_OK;
 
-    for (uint32_t x = 0; status == ROOMSEG_OK && x < width; x++) {
-        uint32_t label = labels[x];
+    for (uint32_t x = rs_skip(row, 0, width, 0); x < width && status == ROOMSEG_OK;
+         x = rs_skip(row, x, width, 0)) {
+        for (; row[x] != 0u && status == ROOMSEG_OK; x++) { /* the border ends it */
+            uint32_t label = labels[x];
 
-        if (row[x] == 0u) {
-            continue;
-        }
-        if (label >= POINTER) {
-            uint16_t next = labels[(ptrdiff_t)x + f->label_step[label - POINTER]];
+            if (label >= POINTER) {
+                uint16_t next = labels[(ptrdiff_t)x + f->label_step[label - POINTER]];
 
-            if (next != 0u && next < POINTER) {
-                labels[x] = next; /* the commonest case: no way to follow */
-            } else {
-                status = settle(f, labels + x);
+                if (next != 0u && next < POINTER) {
+                    labels[x] = next; /* the commonest case: no way to follow */
+                } else {
+                    status = settle(f, labels + x);
+                }
+            } else if (label == 0u) {
+                status = found_region(f, labels + x);
             }
-        } else if (label == 0u) {
-            status = found_region(f, labels + x);
         }
     }
     return status;
@@ -293,7 +335,8 @@ int rs_watershed_run(const rs_frame *frame, const uint8_t *surface, uint32_t max
                      const rs_labels *labels, uint32_t *region_count, rs_ring *ring,
                      rs_ticker *ticker)
 {
-    flood f = {frame, surface, labels, ring, ticker, {0}, {0}, max_regions, 0, 0, 0, 0, false};
+    flood f = {frame, surface, labels, ring, ticker, {0}, {0}, max_regions, 0, 0, 0, 0, true,
+               false};
     int status;
 
     f.rows = (2u + RING_HOPS) * frame->height;

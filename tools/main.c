@@ -2,6 +2,9 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "args.h"
 #include "commands.h"
@@ -60,7 +63,14 @@ static int run(int argc, char **argv) {
     return args_usage_error(&error, usage);
 }
 
+/* Blocks from this size on, images that is, go back to the system when they are freed. By
+ * itself the GNU library keeps those up to the size of the largest that was ever freed. */
+#define LARGE_BLOCK_BYTES (256 * 1024)
+
 int main(int argc, char **argv) {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, LARGE_BLOCK_BYTES);
+#endif
     int code = run(argc, argv);
     errno = 0;
     if ((fflush(stdout) != 0 || ferror(stdout)) && code == EXIT_DONE) {

@@ -115,8 +115,13 @@ int map_load(const char *path, const map_options *options, map *out, tool_error 
     return rc;
 }
 
-void map_free(map *m) {
+void map_free_cells(map *m) {
     free(m->cells);
+    m->cells = NULL;
+}
+
+void map_free(map *m) {
+    map_free_cells(m);
     *m = empty_map;
 }
 

@@ -52,6 +52,9 @@ int map_load(const char *path, const map_options *options, map *out, tool_error 
 int map_from_image(const image *img, const uint8_t *cell_of, const char *name, map *out,
                    tool_error *error);
 
+/* Frees the cells alone. */
+void map_free_cells(map *m);
+
 /* Frees the cells and zeroes the record. */
 void map_free(map *m);
 

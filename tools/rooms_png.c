@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "draw.h"
-#include "image.h"
 #include "room_colors.h"
 #include "room_labels.h"
 #include "view.h"
@@ -188,17 +187,12 @@ int rooms_draw(const view *v, canvas *out) {
     return rc;
 }
 
-int rooms_png_write(const map *m, const segmentation *s, FILE *stream,
-                    const char *name, tool_error *error) {
+int rooms_png_draw(const map *m, const segmentation *s, const char *name, canvas *out,
+                   tool_error *error) {
     view v = view_of_rooms(m, s);
-    canvas c;
-    int rc = rooms_draw(&v, &c);
-    if (rc == 0) {
-        rc = image_write_png(stream, c.rgb, c.width, c.height, 3);
-    }
-    if (rc != 0) {
+    if (rooms_draw(&v, out) != 0) {
         tool_error_set(error, "%s: out of memory", name);
+        return -1;
     }
-    canvas_free(&c);
-    return rc;
+    return 0;
 }

@@ -2,8 +2,6 @@
 #ifndef ROOMSEG_TOOLS_ROOMS_PNG_H
 #define ROOMSEG_TOOLS_ROOMS_PNG_H
 
-#include <stdio.h>
-
 #include "draw.h"
 #include "map.h"
 #include "segment.h"
@@ -16,12 +14,11 @@
  * Returns 0, or -1 with *out zeroed when memory runs out. */
 int rooms_draw(const view *v, canvas *out);
 
-/* The same for the part that holds the rooms, as PNG.
+/* The same for the part that holds the rooms.
  * A cell takes a whole number of pixels so that the long side has 800 to 1600; maps above
  * 4000 cells are shrunk by a whole number.
- * Returns 0, or -1 with *error set when memory runs out; what the stream could not take
- * shows in its error flag. */
-int rooms_png_write(const map *m, const segmentation *s, FILE *stream, const char *name,
-                    tool_error *error);
+ * Returns 0, or -1 with *error set and *out zeroed when memory runs out. */
+int rooms_png_draw(const map *m, const segmentation *s, const char *name, canvas *out,
+                   tool_error *error);
 
 #endif

@@ -70,8 +70,13 @@ int segment_again(const map *m, segmentation *s) {
                        s->arena_bytes);
 }
 
-void segmentation_free(segmentation *s) {
+void segmentation_free_labels(segmentation *s) {
     free(s->labels);
+    s->labels = NULL;
+}
+
+void segmentation_free(segmentation *s) {
+    segmentation_free_labels(s);
     free(s->arena);
     memset(s, 0, sizeof *s);
 }

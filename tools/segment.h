@@ -31,6 +31,9 @@ int segment_map(const map *m, const roomseg_config *config, const char *name,
  * Returns a roomseg_status. */
 int segment_again(const map *m, segmentation *s);
 
+/* Frees the labels alone; the result stays. */
+void segmentation_free_labels(segmentation *s);
+
 /* Frees the memory and zeroes the record. */
 void segmentation_free(segmentation *s);
 

@@ -142,9 +142,12 @@ static void test_table(void) {
 static void check_picture(const map *m, const segmentation *s) {
     const char *path = scratch_path("rooms.png");
     FILE *stream = fopen(path, "wb");
+    canvas c;
     image img;
     TEST_ASSERT_NOT_NULL(stream);
-    TEST_ASSERT_EQUAL_INT(0, rooms_png_write(m, s, stream, "plan", &error));
+    TEST_ASSERT_EQUAL_INT(0, rooms_png_draw(m, s, "plan", &c, &error));
+    TEST_ASSERT_EQUAL_INT(0, image_write_png(stream, c.rgb, c.width, c.height, 3));
+    canvas_free(&c);
     fclose(stream);
     TEST_ASSERT_EQUAL_INT(-1, image_load(path, &img, &error)); /* a whole PNG, but ... */
     TEST_ASSERT_NOT_NULL(strstr(error.text, "colours"));

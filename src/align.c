@@ -69,20 +69,10 @@ static int measure(const roomseg_config *config, const roomseg_grid *grid, const
                                           b->measure_rows, ticker);
     }
     if (status == ROOMSEG_OK) {
-        status = rs_rooms_number(&graph, &records, b->heap);
+        status = rs_rooms_run(frame, grid, config->occupied_min, labels, &graph, &records,
+                              b->heap, ticker);
     }
-    if (status == ROOMSEG_OK) {
-        status = rs_rooms_label(frame, grid, config->occupied_min, &graph, labels, &records,
-                                ticker);
-    }
-    if (status == ROOMSEG_OK) {
-        status = rs_rooms_connect(frame, grid->resolution_mm, &graph, &records, b->heap);
-    }
-    result->rooms = records.rooms;
-    result->doorways = records.doorways;
-    result->links = records.links;
-    result->room_count = records.room_count;
-    result->doorway_count = records.doorway_count;
+    rs_rooms_report(&records, result);
     return status;
 }
 

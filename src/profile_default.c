@@ -183,25 +183,9 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
     STAGE(GRAPH, rs_graph_build(frame, grid, config->occupied_min, b->surface, labels, &b->graph,
                                 b->max_edges, b->columns, ticker));
     STAGE(MERGE, merge(config, grid, frame, labels, b, ticker));
-    STAGE(ROOMS, rs_rooms_number(&b->graph, &b->records, b->heap));
-    if (status == ROOMSEG_OK) {
-        status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,
-                                ticker);
-    }
-    if (status == ROOMSEG_OK) {
-        status = rs_rooms_connect(frame, mm, &b->graph, &b->records, b->heap);
-    }
+    STAGE(ROOMS, rs_rooms_run(frame, grid, config->occupied_min, labels, &b->graph, &b->records,
+                              b->heap, ticker));
     return status;
-}
-
-static void fill_result(const rs_buffers *b, roomseg_result *result)
-{
-    result->rooms = b->records.rooms;
-    result->doorways = b->records.doorways;
-    result->links = b->records.links;
-    result->room_count = b->records.room_count;
-    result->doorway_count = b->records.doorway_count;
-    result->region_count = b->graph.region_count;
 }
 
 static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_frame *frame,
@@ -213,7 +197,8 @@ static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_
 
     place_buffers(plan, frame, config, arena, &buffers);
     status = run_stages(config, grid, frame, labels, &buffers, ticker);
-    fill_result(&buffers, result);
+    rs_rooms_report(&buffers.records, result);
+    result->region_count = buffers.graph.region_count;
     return status;
 }
 

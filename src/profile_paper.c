@@ -270,15 +270,8 @@ static int write_rooms(const roomseg_config *config, const roomseg_grid *grid,
     status = rs_graph_lines_resolve(frame, grid, config->occupied_min, b->surface, labels,
                                     &b->graph, b->line_rows, ticker);
     rs_ticker_part(ticker, 500, 1000);
-    if (status == ROOMSEG_OK) {
-        status = rs_rooms_number(&b->graph, &b->records, b->heap);
-    }
-    if (status == ROOMSEG_OK) {
-        status = rs_rooms_label(frame, grid, config->occupied_min, &b->graph, labels, &b->records,
-                                ticker);
-    }
-    return status == ROOMSEG_OK ? rs_rooms_connect(frame, grid->resolution_mm, &b->graph,
-                                                   &b->records, b->heap)
+    return status == ROOMSEG_OK ? rs_rooms_run(frame, grid, config->occupied_min, labels,
+                                               &b->graph, &b->records, b->heap, ticker)
                                 : status;
 }
 
@@ -310,11 +303,7 @@ static int run(const roomseg_config *config, const roomseg_grid *grid, const rs_
 
     place_buffers(plan, frame, config, arena, &b);
     status = run_stages(config, grid, frame, labels, &b, ticker);
-    result->rooms = b.records.rooms;
-    result->doorways = b.records.doorways;
-    result->links = b.records.links;
-    result->room_count = b.records.room_count;
-    result->doorway_count = b.records.doorway_count;
+    rs_rooms_report(&b.records, result);
     result->region_count = b.graph.region_count;
     return status;
 }

@@ -7,7 +7,7 @@
 
 /* Roots in falling order of area; equal areas in reading order. The rooms' link_first
  * serves as a list of roots in reading order meanwhile. */
-int rs_rooms_number(rs_graph *graph, rs_room_records *records, rs_heap_item *heap_items)
+static int number_rooms(rs_graph *graph, rs_room_records *records, rs_heap_item *heap_items)
 {
     rs_heap heap = {heap_items, 0};
     rs_region *regions = graph->regions;
@@ -142,9 +142,9 @@ static void finish_room(const rs_frame *frame, uint32_t resolution_mm, const rs_
                    resolution_mm / 2u);
 }
 
-int rs_rooms_label(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
-                   const rs_graph *graph, const rs_labels *labels, rs_room_records *records,
-                   rs_ticker *ticker)
+static int label_rooms(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
+                       const rs_graph *graph, const rs_labels *labels, rs_room_records *records,
+                       rs_ticker *ticker)
 {
     for (uint32_t y = 0; y < frame->height; y++) {
         const uint8_t *cells = grid->cells + (size_t)(frame->y + y) * grid->stride + frame->x;
@@ -244,4 +244,27 @@ int rs_rooms_connect(const rs_frame *frame, uint32_t resolution_mm, const rs_gra
     }
     link_rooms(records);
     return ROOMSEG_OK;
+}
+
+int rs_rooms_run(const rs_frame *frame, const roomseg_grid *grid, uint8_t occupied_min,
+                 const rs_labels *labels, rs_graph *graph, rs_room_records *records,
+                 rs_heap_item *heap, rs_ticker *ticker)
+{
+    int status = number_rooms(graph, records, heap);
+
+    if (status == ROOMSEG_OK) {
+        status = label_rooms(frame, grid, occupied_min, graph, labels, records, ticker);
+    }
+    return status == ROOMSEG_OK
+               ? rs_rooms_connect(frame, grid->resolution_mm, graph, records, heap)
+               : status;
+}
+
+void rs_rooms_report(const rs_room_records *records, roomseg_result *result)
+{
+    result->rooms = records->rooms;
+    result->doorways = records->doorways;
+    result->links = records->links;
+    result->room_count = records->room_count;
+    result->doorway_count = records->doorway_count;
 }

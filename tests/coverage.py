@@ -5,8 +5,8 @@
 
 Builds the library and the tests for gcov in build/coverage, runs the tests (by default those of
 stages, interface and limits, not the ones on simulated and real maps) and prints a table of the
-files of src/, then each line and each branch that was never taken. Exit code 1 when less than 100 % of
-the lines or 95 % of the branches were reached.
+files of src/, then each line and each branch that was never taken. Exit code 1 when less than
+100 % of the lines or 95 % of the branches were reached.
 """
 
 import argparse

@@ -1,5 +1,6 @@
 # The port as vcpkg runs it, with vcpkg's functions done by plain CMake.
-#   cmake -DPORT_DIR=FOLDER -DCURRENT_BUILDTREES_DIR=FOLDER -DCURRENT_PACKAGES_DIR=FOLDER -P vcpkg.cmake
+#   cmake -DPORT_DIR=FOLDER -DCURRENT_BUILDTREES_DIR=FOLDER -DCURRENT_PACKAGES_DIR=FOLDER
+#       -P vcpkg.cmake
 cmake_minimum_required(VERSION 3.16)
 set(PORT roomseg)
 

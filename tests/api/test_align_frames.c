@@ -80,8 +80,8 @@ static void test_the_place_in_the_grid_does_not_matter(void)
     TEST_ASSERT_NOT_NULL(cells);
     memset(cells, 127, (size_t)stride * (turned.grid.height + 40));
     for (uint32_t y = 0; y < turned.grid.height; y++) {
-        memcpy(cells + (size_t)(y + 13) * stride + 37, turned.grid.cells + (size_t)y * turned.grid.width,
-               turned.grid.width);
+        memcpy(cells + (size_t)(y + 13) * stride + 37,
+               turned.grid.cells + (size_t)y * turned.grid.width, turned.grid.width);
     }
     roomseg_grid moved = {cells, turned.grid.width + 64, turned.grid.height + 40, stride, 50};
     run there = run_checked(&config, &moved);
@@ -157,8 +157,9 @@ static void test_capacities_of_the_profile(void)
     uint16_t *labels = malloc((size_t)turned.grid.width * turned.grid.height * sizeof *labels);
     void *arena = malloc(need);
     TEST_ASSERT_TRUE(labels != NULL && arena != NULL);
-    TEST_ASSERT_EQUAL_INT(ROOMSEG_ERR_REGIONS, roomseg_run(&config, &turned.grid, labels, turned.grid.width,
-                                                           &result, arena, need));
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_ERR_REGIONS,
+                          roomseg_run(&config, &turned.grid, labels, turned.grid.width, &result,
+                                      arena, need));
     TEST_ASSERT_EQUAL_UINT(6, result.region_count);
     TEST_ASSERT_EACH_EQUAL_UINT16(0, labels, (size_t)turned.grid.width * turned.grid.height);
     free(labels);

@@ -87,8 +87,8 @@ test_map turned_map(const test_map &of, double degrees)
 {
     cv::Mat crop = crop_of(of), cells;
     int side = (int)std::ceil(std::hypot(crop.cols, crop.rows)) + 4;
-    cv::Mat matrix = cv::getRotationMatrix2D(cv::Point2f((float)crop.cols / 2, (float)crop.rows / 2),
-                                             -degrees, 1.0);
+    cv::Point2f middle((float)crop.cols / 2, (float)crop.rows / 2);
+    cv::Mat matrix = cv::getRotationMatrix2D(middle, -degrees, 1.0);
     matrix.at<double>(0, 2) += (side - crop.cols) / 2.0;
     matrix.at<double>(1, 2) += (side - crop.rows) / 2.0;
     cv::warpAffine(crop, cells, matrix, cv::Size(side, side), cv::INTER_NEAREST,

@@ -58,7 +58,8 @@ cv::Mat lifetime_of(const test_map &map, const cv::Mat &free, bool halve)
     const uint32_t mm = map.grid.resolution_mm;
     rs_lifetime_rules rules = {mm, mm, mm / 2u, 50, halve ? 3u << 4 : UINT32_MAX, 40};
     uint32_t rows = rs_lifetime_ring_rows(&rules);
-    size_t width = map.frame.width + 2u * rules.margin, height = map.frame.height + 2u * rules.margin;
+    size_t width = map.frame.width + 2u * rules.margin;
+    size_t height = map.frame.height + 2u * rules.margin;
     std::vector<uint16_t> shares(width * height), ring(width * rows);
     std::vector<uint32_t> sums(width), prefix(width + 2u * rows);
     rs_lifetime_scratch scratch = {shares.data(), {sums.data(), prefix.data(), ring.data(), rows}};

@@ -303,8 +303,8 @@ static double share_beyond_ridges(const cv::Mat &ridges, const cv::Mat &markers,
 }
 
 // Lines separate: no two basins touch, not even at corners, except where their markers do. The
-// basins are compared with OpenCV's flood of the same surface from the same markers. That one goes by
-// differences between neighbours instead of heights, so it agrees in the large only.
+// basins are compared with OpenCV's flood of the same surface from the same markers. That one goes
+// by differences between neighbours instead of heights, so it agrees in the large only.
 void test_watershed_lines(const test_map &map)
 {
     cv::Mat free = cleared(map), ridges = ridges_of(map, free);
@@ -332,7 +332,8 @@ void test_watershed_lines(const test_map &map)
             uint16_t here = labels.at<uint16_t>(y, x);
             int marker = markers.at<int>(y, x);
             moved += marker != 0 && marker != here;
-            for (cv::Point to : {cv::Point(x + 1, y), cv::Point(x, y + 1), cv::Point(x + 1, y + 1)}) {
+            const cv::Point ahead[] = {{x + 1, y}, {x, y + 1}, {x + 1, y + 1}};
+            for (cv::Point to : ahead) {
                 uint16_t next = labels.at<uint16_t>(to);
                 touching += here != RS_LINE && next != RS_LINE && here != next &&
                             (marker == 0 || markers.at<int>(to) == 0);

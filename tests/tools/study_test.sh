@@ -42,7 +42,8 @@ verdict "study: exit 0" [ "$code" -eq 0 ]
 verdict "study: tells where" grep -qx "written: out/study.md" stdout
 verdict "study: shows how far it is" grep -q '^validation: [0-9]* of [0-9]*$' stderr
 verdict "study: four parts" [ "$(grep -c '^## ' out/study.md)" -eq 4 ]
-verdict "study: these rooms are easy" grep -Eq '^\| nothing \|  \| (98|99|100)\.[0-9]* \|' out/study.md
+verdict "study: these rooms are easy" grep -Eq \
+    '^\| nothing \|  \| (98|99|100)\.[0-9]* \|' out/study.md
 verdict "study: picks hold on maps left out" grep -q '0.00 points below tuned.*, met' out/study.md
 verdict "study: turned rooms" grep -Eq '^\| turned by 17 degrees .* 96.5: met \|$' out/study.md
 verdict "study: simulated homes" grep -q '^| all furnished | 3 | ' out/study.md

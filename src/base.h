@@ -29,6 +29,14 @@ static inline uint32_t rs_frame_index(const rs_frame *frame, uint32_t x, uint32_
     return (y + 1u) * frame->stride + x + 1u;
 }
 
+/* Cells that cover an area, rounded up. */
+static inline uint32_t rs_cells_of_area(uint32_t area_mm2, uint32_t resolution_mm)
+{
+    uint32_t cell_mm2 = resolution_mm * resolution_mm;
+
+    return area_mm2 / cell_mm2 + (area_mm2 % cell_mm2 != 0u);
+}
+
 /* A cell position packed in 32 bits; both in crop coordinates, below 2^16. */
 static inline uint32_t rs_cell_pack(uint32_t x, uint32_t y)
 {

@@ -28,7 +28,8 @@ static void splice_lists(rs_graph *graph, uint32_t a, uint32_t b)
 uint16_t rs_cluster_unite(rs_graph *graph, uint16_t p, uint16_t q)
 {
     rs_region *regions = graph->regions;
-    bool keep_p = regions[p].area > regions[q].area || (regions[p].area == regions[q].area && p < q);
+    bool keep_p = regions[p].area > regions[q].area ||
+                  (regions[p].area == regions[q].area && p < q);
     uint16_t root = keep_p ? p : q;
     rs_region *into = &regions[root];
     const rs_region *from = &regions[keep_p ? q : p];

@@ -21,10 +21,9 @@ typedef struct slots {
 
 rs_component_limits rs_components_limits(const roomseg_config *config, uint32_t resolution_mm)
 {
-    uint32_t cell_mm2 = resolution_mm * resolution_mm;
     rs_component_limits limits;
 
-    limits.speck_cells = (config->speck_mm2 + cell_mm2 - 1u) / cell_mm2;
+    limits.speck_cells = rs_cells_of_area(config->speck_mm2, resolution_mm);
     limits.clutter_cells = config->clutter_mm / resolution_mm;
     limits.diagonal = true; /* the free space is 4-connected: a diagonal wall is tight */
     return limits;

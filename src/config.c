@@ -36,7 +36,8 @@ roomseg_config roomseg_config_default(void)
 
 int rs_config_check(const roomseg_config *config)
 {
-    bool good = config->profile != NULL && config->free_max < config->occupied_min && config->speck_mm2 <= ROOMSEG_MAX_SPECK_MM2 &&
+    bool good = config->profile != NULL && config->free_max < config->occupied_min &&
+                config->speck_mm2 <= ROOMSEG_MAX_SPECK_MM2 &&
                 config->clutter_mm <= ROOMSEG_MAX_CLUTTER_MM &&
                 config->smallest_room_mm2 <= ROOMSEG_MAX_SMALLEST_ROOM_MM2 &&
                 config->niche_mm2 <= ROOMSEG_MAX_SMALLEST_ROOM_MM2 &&

@@ -22,8 +22,8 @@ typedef struct rs_region {
     uint16_t unwalled;       /* of a root: RS_WALLED and so on, set by rs_merge_run */
 } rs_region;
 
-/* Two regions that touch or lie on both sides of one thin wall. The half-edges 2e and 2e + 1 of edge e stand in the circular
- * lists of regions a and b. */
+/* Two regions that touch or lie on both sides of one thin wall. The half-edges 2e and 2e + 1 of
+ * edge e stand in the circular lists of regions a and b. */
 typedef struct rs_edge {
     uint16_t a, b;      /* labels, a < b */
     uint16_t x, y;      /* where the opening is widest, crop coordinates */

@@ -66,12 +66,6 @@ static void place_buffers(const rs_plan *plan, const rs_frame *frame,
 #undef AT
 }
 
-/* The config's physical sizes in cells. */
-static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
-{
-    return area_mm2 / cell_mm2 + (area_mm2 % cell_mm2 != 0u); /* rounded up */
-}
-
 /* Shared wall up to this length is a trick of the raster: a corner, a door frame ... */
 #define NO_WALL_MM 60u
 /* ... or, along a corridor that lies askew, the teeth of its walls. */
@@ -81,11 +75,10 @@ static uint32_t cells_of(uint32_t area_mm2, uint32_t cell_mm2)
 
 static rs_join_rules join_rules(const roomseg_config *config, uint32_t resolution_mm)
 {
-    uint32_t cell_mm2 = resolution_mm * resolution_mm;
     rs_join_rules rules;
 
-    rules.smallest_cells = cells_of(config->smallest_room_mm2, cell_mm2);
-    rules.niche_cells = cells_of(config->niche_mm2, cell_mm2);
+    rules.smallest_cells = rs_cells_of_area(config->smallest_room_mm2, resolution_mm);
+    rules.niche_cells = rs_cells_of_area(config->niche_mm2, resolution_mm);
     rules.room_opening_percent = config->room_opening_percent;
     rules.passage_opening_percent = config->passage_opening_percent;
     rules.shared_wall_cells =
@@ -172,7 +165,7 @@ static int run_stages(const roomseg_config *config, const roomseg_grid *grid,
                       rs_ticker *ticker)
 {
     uint32_t mm = grid->resolution_mm;
-    uint32_t smallest_cells = cells_of(config->smallest_room_mm2, mm * mm);
+    uint32_t smallest_cells = rs_cells_of_area(config->smallest_room_mm2, mm);
     int status;
 
     status = rs_threshold_run(grid, config->free_max, frame, b->surface, ticker);

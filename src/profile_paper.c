@@ -248,11 +248,9 @@ static int build_graph(const roomseg_config *config, const roomseg_grid *grid,
 static int merge(const roomseg_config *config, uint32_t resolution_mm, paper_buffers *b,
                  rs_ticker *ticker)
 {
-    uint32_t cell_mm2 = resolution_mm * resolution_mm;
     rs_merge_paper_rules rules;
 
-    rules.smallest_cells = config->smallest_room_mm2 / cell_mm2 +
-                           (config->smallest_room_mm2 % cell_mm2 != 0u); /* rounded up */
+    rules.smallest_cells = rs_cells_of_area(config->smallest_room_mm2, resolution_mm);
     rules.isolated_permille = config->isolated_permille;
     rules.longest_border = config->longest_border_mm / resolution_mm;
     return rs_merge_paper_run(&rules, &b->graph, b->heap,

@@ -30,7 +30,9 @@ static void drop_isolated(uint32_t isolated_cells, rs_graph *graph)
     }
 }
 
-#define UNWALLED_AREA_PERCENT 10u /* largest share of the whole area */
+/* Largest shares of the whole area. */
+#define POORLY_WALLED_AREA_PERCENT 10u
+#define HARDLY_WALLED_AREA_PERCENT 20u
 
 /* Marks the roots that are small against the map and bounded by walls far less than the map
  * as a whole. */
@@ -44,12 +46,17 @@ static void mark_unwalled(uint32_t unwalled_percent, rs_graph *graph)
     }
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         rs_region *region = &graph->regions[r];
+        uint64_t area_percent = region->area * 100ull;
 
-        if (region->parent == r && region->area * 100ull < area * UNWALLED_AREA_PERCENT &&
-            rs_graph_lacks_walls(&map, region, unwalled_percent * 10u)) {
-            region->unwalled = rs_graph_lacks_walls(&map, region, unwalled_percent * 5u)
-                                   ? RS_HARDLY_WALLED
-                                   : RS_POORLY_WALLED;
+        if (region->parent != r) {
+            continue;
+        }
+        if (area_percent < area * HARDLY_WALLED_AREA_PERCENT &&
+            rs_graph_lacks_walls(&map, region, unwalled_percent * 5u)) {
+            region->unwalled = RS_HARDLY_WALLED;
+        } else if (area_percent < area * POORLY_WALLED_AREA_PERCENT &&
+                   rs_graph_lacks_walls(&map, region, unwalled_percent * 10u)) {
+            region->unwalled = RS_POORLY_WALLED;
         }
     }
 }

@@ -222,8 +222,8 @@ typedef struct roomseg_config {
     /* What was only seen through a window or an open door is no room: its border consists
      * of walls (cells of occupied_min or more) by less than this percentage of the share
      * that walls have in the border of the whole map. Such rooms below a tenth of the whole
-     * area are dropped (label 0) when they lead nowhere else, or when it is less than half of
-     * that percentage. Where walls make up less than 35 % of the whole border, the map does
+     * area are dropped (label 0) when they lead nowhere else; below a fifth of it, when it is
+     * less than half of that percentage, wherever they lead. Where walls make up less than 35 % of the whole border, the map does
      * not mark its walls, and nothing is dropped. 0 (keep all)..100; default 50. */
     uint32_t unwalled_percent;
 

@@ -218,11 +218,22 @@ static void test_a_map_with_few_walls_keeps_its_rooms(void)
     TEST_ASSERT_EQUAL_UINT(3, r.result.room_count);
 }
 
-/* An unwalled room that is more than a tenth of the map stays. */
+/* What hardly has walls is none up to a fifth of the map; what has few walls stays from a tenth on,
+ * and so does an unwalled room beyond a fifth. */
 static void test_a_large_unwalled_room_stays(void)
 {
     s = sketch_make(window_rows, SCALE, 0, RESOLUTION_MM);
     sketch_fill(&s, 32 * SCALE, 2 * SCALE, 8 * SCALE, 14 * SCALE, 0);
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(3, r.result.room_count);
+    TEST_ASSERT_NOT_EQUAL_UINT(0, at(36, 8));
+    run_free(&r);
+    sketch_fill(&s, 37 * SCALE, 2 * SCALE, 3 * SCALE, 14 * SCALE, 127); /* 15 % are left */
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    TEST_ASSERT_EQUAL_UINT(0, at(36, 8));
+    run_free(&r);
+    sketch_fill(&s, 37 * SCALE, 2 * SCALE, SCALE, 14 * SCALE, 255); /* a wall at its far end */
     r = run_checked(&config, &s.grid);
     TEST_ASSERT_EQUAL_UINT(3, r.result.room_count);
     TEST_ASSERT_NOT_EQUAL_UINT(0, at(36, 8));

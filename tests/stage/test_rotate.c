@@ -63,6 +63,18 @@ static void test_no_angle_changes_nothing(void)
     free(cells);
 }
 
+/* The frame holds all cells of at most free_max, here the ends of a strip, and no other ones. */
+static void test_the_frame_ends_with_the_free_cells(void)
+{
+    s = sketch_blank(20, 6, 52, 50);
+    sketch_fill(&s, 3, 2, 10, 1, 51);
+    sketch_fill(&s, 4, 2, 8, 1, 0);
+    crop = stage_frame(20, 6);
+    rs_rotation rotation = rotation_of(0);
+    TEST_ASSERT_EQUAL_UINT(10, rotation.width);
+    TEST_ASSERT_EQUAL_UINT(1, rotation.height);
+}
+
 /* A room turned by an angle and turned back by the stage is upright again. */
 static void test_a_turned_room_stands_upright(void)
 {
@@ -253,6 +265,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_no_angle_changes_nothing);
+    RUN_TEST(test_the_frame_ends_with_the_free_cells);
     RUN_TEST(test_a_turned_room_stands_upright);
     RUN_TEST(test_the_unknown_counts_half);
     RUN_TEST(test_thin_walls_stay_closed);

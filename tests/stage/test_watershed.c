@@ -236,6 +236,24 @@ static void test_the_hook_can_cancel(void)
     TEST_ASSERT_GREATER_THAN_UINT32(4u * SIDE * SIDE / 65536u, calls);
 }
 
+/* A ring of one cell, full all the time; whichever visit is the last before a call. */
+static void test_cancelling_with_a_full_ring(void)
+{
+    int status = ROOMSEG_ERR_CANCELLED;
+    for (uint32_t visits = RS_TICK_VISITS; status == ROOMSEG_ERR_CANCELLED; visits -= 3) {
+        uint32_t left = 0;
+        rs_ticker ticker = stage_canceller(&left);
+        ticker.visits = visits;
+        prepare(20, 15);
+        for (uint32_t y = 0; y < 15; y++) {
+            memset(at(0, y), y == 7 ? 9 : 5, 20);
+        }
+        status = run(1, 10, &ticker);
+    }
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, status);
+    check_labels();
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -244,5 +262,6 @@ int main(void)
     RUN_TEST(test_ways_do_not_drift);
     RUN_TEST(test_too_many_regions);
     RUN_TEST(test_the_hook_can_cancel);
+    RUN_TEST(test_cancelling_with_a_full_ring);
     return UNITY_END();
 }

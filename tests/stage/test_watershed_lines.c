@@ -172,6 +172,24 @@ static void test_cancelling(void)
     }
 }
 
+/* With hardly any queue cells are searched for; whichever visit is the last before a call. */
+static void test_cancelling_a_search(void)
+{
+    int status = ROOMSEG_ERR_CANCELLED;
+    for (uint32_t visits = RS_TICK_VISITS; status == ROOMSEG_ERR_CANCELLED; visits -= 7) {
+        uint32_t left = 0, seed = 5;
+        rs_ticker ticker = stage_canceller(&left);
+        ticker.visits = visits;
+        uint16_t *markers = draw_random(12, 9, &seed);
+        status = flood(1, &ticker);
+        if (status == ROOMSEG_OK) {
+            check_lines(markers);
+        }
+        free(markers);
+    }
+    TEST_ASSERT_EQUAL_INT(ROOMSEG_OK, status);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -181,5 +199,6 @@ int main(void)
     RUN_TEST(test_pits_fill_first);
     RUN_TEST(test_random_maps);
     RUN_TEST(test_cancelling);
+    RUN_TEST(test_cancelling_a_search);
     return UNITY_END();
 }

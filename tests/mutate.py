@@ -55,7 +55,7 @@ class Mutant:
 
 def find_mutants() -> list[Mutant]:
     mutants: list[Mutant] = []
-    equal = EQUAL.read_text(encoding="utf-8").splitlines()
+    equal = set(re.findall(r"^(?!#).+$", EQUAL.read_text(encoding="utf-8"), re.MULTILINE))
     for path in sorted((ROOT / "src").glob("*.c")):
         source = path.read_text(encoding="utf-8")
         # Blank out comments, directives and asserts, so that positions stay.
@@ -67,6 +67,8 @@ def find_mutants() -> list[Mutant]:
         for match in CONSTANT.finditer(code):
             mutants.append(Mutant(path.name, source, match.span(1),
                                   str(int(match.group(1)) + 1)))
+    for key in sorted(equal - {mutant.key for mutant in mutants}):
+        print(f"mutate: {EQUAL.name}: there is no such change: {key}", file=sys.stderr)
     return [mutant for mutant in mutants if mutant.key not in equal]
 
 

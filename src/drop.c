@@ -46,7 +46,7 @@ static void mark_unwalled(uint32_t unwalled_percent, rs_graph *graph)
     }
     for (uint32_t r = 1; r <= graph->region_count; r++) {
         rs_region *region = &graph->regions[r];
-        uint64_t area_percent = region->area * 100ull;
+        uint64_t area_percent = region->area * 100ULL;
 
         if (region->parent != r) {
             continue;

@@ -90,13 +90,19 @@ static void test_what_is_no_way_through(void)
     TEST_ASSERT_FALSE(stays(0, 50));
 }
 
-/* A tenth of 20,000 cells and its own: 2222. */
+/* A tenth of 20,000 cells and its own are 2222; a fifth, for what hardly has walls, 5000. */
 static void test_a_large_one_stays(void)
 {
-    set(3, 2222, 100, 0);
+    set(3, 2222, 100, 43);
     TEST_ASSERT_FALSE(stays(0, 50));
     setUp();
-    set(3, 2223, 100, 0);
+    set(3, 2223, 100, 43);
+    TEST_ASSERT_TRUE(stays(0, 50));
+    setUp();
+    set(3, 4999, 100, 0);
+    TEST_ASSERT_FALSE(stays(0, 50));
+    setUp();
+    set(3, 5000, 100, 0);
     TEST_ASSERT_TRUE(stays(0, 50));
 }
 

@@ -3,13 +3,13 @@
 /* No shape has as many cells, nor twelve times the sum of their squared distances: all
  * products stay below 2^62, since |sum of u|^2 <= cells * sum of u^2. */
 #define MOST_CELLS (1u << 20)
-#define MOST_SQUARES (1ull << 42)
+#define MOST_SQUARES (1ULL << 42)
 
 /* Nor does one reach farther from its peak along an axis, so that 32 bits hold a square. */
 #define MOST_CELLS_AWAY 4096
 
 /* Added to a sum that would be larger than MOST_SQUARES; all else makes less than 2^60. */
-#define TOO_FAR (1ull << 60)
+#define TOO_FAR (1ULL << 60)
 
 static bool is_far(int32_t distance)
 {

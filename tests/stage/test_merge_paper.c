@@ -114,6 +114,20 @@ static void test_fewest_neighbours_first(void)
     TEST_ASSERT_FALSE(together(3, 4));
 }
 
+/* A border of one face makes a neighbour: 2 has two of them, 3 has three. */
+static void test_the_shortest_border_counts(void)
+{
+    const uint32_t areas[] = {5000, 400, 300, 5000, 0};
+    make_regions(areas);
+    share(1, 3, 1);
+    share(1, 2, 5);
+    share(2, 3, 10);
+    share(3, 4, 30);
+    merge();
+    TEST_ASSERT_TRUE(together(2, 3));
+    TEST_ASSERT_FALSE(together(3, 4));
+}
+
 /* Both have one neighbour; the smaller one goes first, and then the neighbour is large. */
 static void test_then_the_smaller_one(void)
 {
@@ -358,6 +372,7 @@ int main(void)
     RUN_TEST(test_without_a_share_a0_alone_counts);
     RUN_TEST(test_small_regions_join_the_longest_border);
     RUN_TEST(test_fewest_neighbours_first);
+    RUN_TEST(test_the_shortest_border_counts);
     RUN_TEST(test_then_the_smaller_one);
     RUN_TEST(test_borders_with_common_neighbours_add_up);
     RUN_TEST(test_borders_beyond_l0_are_opened);

@@ -63,10 +63,14 @@ rs_edge *rs_graph_edge(rs_graph_builder *builder, uint16_t p, uint16_t q)
         graph->regions[b].first_half != RS_NO_HALF) {
         e = find_edge(graph, a, b);
     }
-    if (e == NO_EDGE) {
-        if (graph->edge_count == builder->max_edges) {
-            return NULL;
-        }
+    if (e != NO_EDGE) {
+        /* The first in both lists from now on: two halls with thousands of closets between them
+         * come back to it again and again. */
+        graph->regions[a].first_half = 2u * e;
+        graph->regions[b].first_half = 2u * e + 1u;
+    } else if (graph->edge_count == builder->max_edges) {
+        return NULL;
+    } else {
         e = add_edge(graph, a, b);
     }
     builder->latest = e;

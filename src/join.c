@@ -34,6 +34,18 @@ static bool is_passage(rs_graph *graph, uint16_t root, uint32_t wanted, uint32_t
     return false;
 }
 
+/* The smaller root is asked first: it has few neighbours, where a hall may have thousands of
+ * closets too small to count. */
+static bool are_passages(const rs_join_rules *rules, rs_graph *graph, uint16_t a, uint16_t b)
+{
+    bool a_first = graph->regions[a].area < graph->regions[b].area;
+
+    return is_passage(graph, a_first ? a : b, rules->passage_min_neighbours,
+                      rules->smallest_cells) &&
+           is_passage(graph, a_first ? b : a, rules->passage_min_neighbours,
+                      rules->smallest_cells);
+}
+
 /* Keys of edges that the opening rules join are at least this; niches come below, from 9/20
  * to 1/2 of it, and what is open without a wall last, up to 1/4. */
 #define OPENING_KEY 32768u
@@ -95,10 +107,7 @@ static uint32_t opening_key(const rs_join_rules *rules, rs_graph *graph, uint32_
     uint32_t as_room = openness(saddle, p->peak, q->peak, rules->room_opening_percent);
     uint32_t as_passage = openness(saddle, p->peak, q->peak, rules->passage_opening_percent);
 
-    if (as_passage > as_room &&
-        (hopeful ||
-         (is_passage(graph, a, rules->passage_min_neighbours, rules->smallest_cells) &&
-          is_passage(graph, b, rules->passage_min_neighbours, rules->smallest_cells)))) {
+    if (as_passage > as_room && (hopeful || are_passages(rules, graph, a, b))) {
         return as_passage;
     }
     return as_room > 0u ? as_room

@@ -2,22 +2,24 @@
 """Instructions a cell by stage, counted by callgrind: the same on every run, whatever else the
 machine does. Growth with the size of the map, and maps that are as bad as can be.
 
-    tools/speed.py stages ROOMSEG DATASET [--set NAME]
-    tools/speed.py stages ROOMSEG DATASET --before OLD_ROOMSEG
-    tools/speed.py growth ROOMSEG [--map MAP]... [-o growth.svg]
-    tools/speed.py worst  ROOMSEG
+    tools/speed.py stages  ROOMSEG DATASET [--set NAME] [--before OLD_ROOMSEG]
+    tools/speed.py growth  ROOMSEG [--map MAP]... [-o growth.svg]
+    tools/speed.py regions ROOMSEG
+    tools/speed.py worst   ROOMSEG
 
-ROOMSEG is the command line's program; valgrind must be installed. MAP: a binary PGM. A cell is a
-cell of the crop, the box around the free cells. Standard library only."""
+ROOMSEG is the command line's program; valgrind must be installed. MAP: a gray PNG of 8 bits. A
+cell is a cell of the crop, the box around the free cells. Standard library only."""
 
 import argparse
 import json
 import pathlib
 import random
 import re
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 # Functions of the library in the order in which a run of the default profile calls them.
 STAGES = (
@@ -36,9 +38,8 @@ TUNABLES = ("glibc.cpu.x86_rep_stosb_threshold=1000000000:"
 FREE, WALL = 0, 255
 
 
-def callgrind(command: list[str], folder: pathlib.Path) -> tuple[dict[str, int], int]:
-    """Instructions of each function with all it calls, inside roomseg_run, and the number of
-    runs."""
+def callgrind(command: list[str], folder: pathlib.Path) -> dict[str, int]:
+    """Instructions of each function with all it calls, inside roomseg_run."""
     counts = folder / "callgrind.out"
     subprocess.run(
         ["valgrind", "--tool=callgrind", "--toggle-collect=roomseg_run",
@@ -46,20 +47,14 @@ def callgrind(command: list[str], folder: pathlib.Path) -> tuple[dict[str, int],
         check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         env={"GLIBC_TUNABLES": TUNABLES, "PATH": "/usr/bin:/bin"})
     table = subprocess.run(
-        ["callgrind_annotate", "--inclusive=yes", "--threshold=100", "--tree=caller",
-         str(counts)],
+        ["callgrind_annotate", "--inclusive=yes", "--threshold=100", str(counts)],
         check=True, capture_output=True, text=True).stdout
     inclusive: dict[str, int] = {}
-    runs = 0
     for line in table.splitlines():
-        found = re.match(r"\s*([\d,]+) \([ \d.]+%\)\s+(\*|<) +\S*?:(\w+)(?: \((\d+)x\))?", line)
-        if found is None:
-            continue
-        if found[2] == "*":
-            inclusive[found[3]] = int(found[1].replace(",", ""))
-        elif found[3] in ("segment_again", "main"):
-            runs += int(found[4] or 0)
-    return inclusive, runs
+        found = re.match(r"\s*([\d,]+) \([ \d.]+%\)\s+\S*?:(\w+)", line)
+        if found is not None:
+            inclusive.setdefault(found[2], int(found[1].replace(",", "")))
+    return inclusive
 
 
 def by_stage(inclusive: dict[str, int]) -> dict[str, int]:
@@ -69,34 +64,43 @@ def by_stage(inclusive: dict[str, int]) -> dict[str, int]:
     return parts
 
 
-def bench_cells(roomseg: str, dataset: str, sets: list[str]) -> float:
-    """Crop cells of a data set."""
-    answer = subprocess.run([roomseg, "bench", dataset, "--reps", "1", "--json", *sets],
+def bench(roomseg: str, dataset: str, *options: str) -> list[dict]:
+    """What the bench tells of each map."""
+    answer = subprocess.run([roomseg, "bench", dataset, "--json", *options],
                             check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    return sum(m["crop_cells"] for s in json.loads(answer.stdout)["sets"] for m in s["maps"])
+    return [m for s in json.loads(answer.stdout)["sets"] for m in s["maps"]]
 
 
-def stage_costs(roomseg: str, dataset: str, sets: list[str], folder: pathlib.Path,
+def stage_costs(roomseg: str, dataset: str, options: list[str], folder: pathlib.Path,
                 cells: float) -> dict[str, float]:
     """Instructions a cell. The bench runs each map twice: once for its rooms, once timed."""
-    inclusive, _ = callgrind([roomseg, "bench", dataset, "--reps", "1", *sets], folder)
+    inclusive = callgrind([roomseg, "bench", dataset, "--reps", "1", *options], folder)
     return {stage: count / (2.0 * cells) for stage, count in by_stage(inclusive).items()}
 
 
 def print_stages(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
+    """Time and visits as `roomseg bench --stages` tells them, and the instructions."""
     sets = ["--set", arguments.set] if arguments.set else []
-    cells = bench_cells(arguments.roomseg, arguments.dataset, sets)
+    maps = bench(arguments.roomseg, arguments.dataset, "--stages", "-j", "1", *sets)
+    cells = sum(m["crop_cells"] for m in maps)
     now = stage_costs(arguments.roomseg, arguments.dataset, sets, folder, cells)
-    if arguments.before is None:
-        print("| stage | instructions a cell |\n|---|---|")
-        for stage, count in now.items():
-            print(f"| {stage} | {count:.1f} |")
-        return
-    old = stage_costs(arguments.before, arguments.dataset, sets, folder, cells)
-    print("| stage | before | now | |\n|---|---|---|---|")
+    old = (stage_costs(arguments.before, arguments.dataset, sets, folder, cells)
+           if arguments.before else {})
+    head = ["stage", "ms a map", "visits a cell", "instructions a cell", "share"]
+    head += ["before", "now of before"] if old else []
+    print("| " + " | ".join(head) + " |\n" + "|---" * len(head) + "|")
     for stage, count in now.items():
-        share = f"{100.0 * count / old[stage]:.0f} %" if old[stage] else ""
-        print(f"| {stage} | {old[stage]:.1f} | {count:.1f} | {share} |")
+        told = [m["stages"][stage] for m in maps if stage in m["stages"]]
+        row = [stage, "", "", f"{count:.1f}", f"{100.0 * count / now['all']:.1f} %"]
+        if told:  # the crop is a part of the threshold's
+            row[1] = f"{sum(one['time_ms'] for one in told) / len(maps):.2f}"
+            row[2] = f"{sum(one['visits'] for one in told) / cells:.1f}"
+        elif stage == "all":
+            row[1] = f"{sum(m['time_ms'] for m in maps) / len(maps):.2f}"
+        if old:
+            row += [f"{old[stage]:.1f}",
+                    f"{100.0 * count / old[stage]:.0f} %" if old[stage] else ""]
+        print("| " + " | ".join(row) + " |")
 
 
 class Grid:
@@ -115,17 +119,54 @@ class Grid:
         path.write_bytes(head + b"".join(bytes(row) for row in self.rows))
 
 
-def read_pgm(path: str) -> Grid:
-    """A binary PGM whose header is without comments."""
+def unfilter(kind: int, line: bytearray, above: bytearray) -> None:
+    """Undoes the filter of a PNG's row of bytes."""
+    for x, value in enumerate(line):
+        left = line[x - 1] if x else 0
+        corner = above[x - 1] if x else 0
+        near = left + above[x] - corner
+        paeth = min((left, above[x], corner), key=lambda other: abs(near - other))
+        line[x] = (value + (0, left, above[x], (left + above[x]) // 2, paeth)[kind]) & 255
+
+
+def read_png(path: str) -> Grid:
+    """The box around the free cells of a gray PNG of 8 bits, and one cell more on each side."""
     data = pathlib.Path(path).read_bytes()
-    head = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", data)
-    if head is None:
-        sys.exit(f"{path}: no binary PGM of 8 bits without comments")
-    grid = Grid(int(head[1]), int(head[2]), 0)
-    body = data[head.end():]
-    grid.rows = [bytearray(body[y * grid.width:(y + 1) * grid.width])
-                 for y in range(grid.height)]
+    width, height, depth, kind, _, _, interlaced = struct.unpack(">IIBBBBB", data[16:29])
+    if (depth, kind, interlaced) != (8, 0, 0):
+        sys.exit(f"{path}: no gray PNG of 8 bits")
+    at, packed = 8, b""
+    while at < len(data):
+        length, name = struct.unpack(">I4s", data[at:at + 8])
+        packed += data[at + 8:at + 8 + length] if name == b"IDAT" else b""
+        at += length + 12
+    raw = zlib.decompress(packed)
+    rows, above = [], bytearray(width)
+    for y in range(height):
+        line = bytearray(raw[y * (width + 1) + 1:(y + 1) * (width + 1)])
+        if raw[y * (width + 1)] != 0:
+            unfilter(raw[y * (width + 1)], line, above)
+        rows.append(line)
+        above = line
+    free = [[x for x, value in enumerate(row) if value <= 51] for row in rows]
+    tops = [y for y, found in enumerate(free) if found]
+    left = min(found[0] for found in free if found)
+    right = max(found[-1] for found in free if found) + 1
+    grid = Grid(right - left + 2, tops[-1] - tops[0] + 3, WALL)
+    for y in range(tops[0], tops[-1] + 1):
+        grid.rows[y - tops[0] + 1][1:-1] = rows[y][left:right]
     return grid
+
+
+def cluttered(grid: Grid, cells: int) -> Grid:
+    """The same with an obstacle of 1 to 7 cells a side for every so many cells."""
+    rng = random.Random(5)
+    made = Grid(grid.width, grid.height, WALL)
+    made.rows = [bytearray(row) for row in grid.rows]
+    for _ in range(grid.width * grid.height // cells):
+        made.fill(rng.randrange(1, grid.width - 8), rng.randrange(1, grid.height - 8),
+                  rng.randrange(1, 8), rng.randrange(1, 8), WALL)
+    return made
 
 
 def tiled(tile: Grid, side: int) -> Grid:
@@ -192,21 +233,53 @@ def checkerboard(side: int) -> Grid:
     return grid
 
 
-def cost(roomseg: str, grid: Grid, folder: pathlib.Path) -> tuple[dict[str, float], str]:
-    """Instructions a cell of the crop by stage; what the run found, or why it failed."""
-    path = folder / "grid.pgm"
-    grid.write(path)
-    command = [roomseg, "segment", str(path), "--resolution", "0.05", "-o", str(folder / "out")]
-    answer = subprocess.run(command, capture_output=True, text=True, check=False)
-    if answer.returncode != 0:
-        return {}, answer.stderr.strip().replace(str(path), "map")
-    crop = re.search(r"crop of (\d+) x (\d+)", answer.stdout)
-    rooms = re.search(r"^(\d+ rooms?|no rooms?)", answer.stdout, re.M)
-    cells = int(crop[1]) * int(crop[2]) if crop else 1
-    inclusive, runs = callgrind(command, folder)
-    costs = {stage: count / cells for stage, count in by_stage(inclusive).items()}
-    found = rooms[1] if rooms else "no room"
-    return costs, found if runs <= 1 else f"{found}, {runs} runs"
+def closets(count: int) -> Grid:
+    """A corridor with closets too small for a room on both sides, so many together."""
+    pairs = count // 2
+    grid = Grid(8 * pairs + 2, 28, WALL)
+    grid.fill(1, 8, 8 * pairs, 12, FREE)
+    for k in range(pairs):
+        for y, door in ((1, 7), (21, 20)):
+            grid.fill(2 + 8 * k, y, 6, 6, FREE)
+            grid.fill(3 + 8 * k, door, 3, 1, FREE)
+    return grid
+
+
+def chambers(count: int) -> Grid:
+    """Rooms of 30 x 30 cells in a square, each with a door to the right and one below."""
+    side = round(count ** 0.5)
+    grid = Grid(34 * side + 4, 34 * side + 4, WALL)
+    for k in range(side * side):
+        x, y = 4 + 34 * (k % side), 4 + 34 * (k // side)
+        grid.fill(x, y, 30, 30, FREE)
+        if k % side < side - 1:
+            grid.fill(x + 30, y + 10, 4, 10, FREE)
+        if k // side < side - 1:
+            grid.fill(x + 10, y + 30, 10, 4, FREE)
+    return grid
+
+
+# With the largest capacities no run has to be repeated for want of them.
+WIDE = ("--resolution", "0.05", "--config", "max_regions=65531", "--config", "max_rooms=16384")
+
+
+def cost(roomseg: str, grid: Grid, folder: pathlib.Path) -> tuple[dict[str, float], int]:
+    """Instructions a cell of the crop by stage; the number of rooms."""
+    maps = folder / "maps"
+    maps.mkdir(exist_ok=True)
+    grid.write(maps / "grid.pgm")
+    found = bench(roomseg, str(maps), "--reps", "1", *WIDE)[0]
+    cells = max(found["crop_cells"], 1)
+    return stage_costs(roomseg, str(maps), list(WIDE), folder, cells), found["rooms_found"]
+
+
+def nanoseconds(roomseg: str, grid: Grid, folder: pathlib.Path) -> float:
+    """Median CPU time a cell of the crop."""
+    maps = folder / "maps"
+    maps.mkdir(exist_ok=True)
+    grid.write(maps / "grid.pgm")
+    found = bench(roomseg, str(maps), "--reps", "5", *WIDE)[0]
+    return 1e6 * found["time_ms"] / found["crop_cells"]
 
 
 def print_worst(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
@@ -224,14 +297,24 @@ def print_worst(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
         ("spiral 6 cells wide", spiral(side, 6)),
     )
     home = 0.0
-    print("| map of 600 x 600 cells | instructions a cell | of a home's | |\n|---|---|---|---|")
+    print("| map of 600 x 600 cells | instructions a cell | of a home's | rooms |\n|---|---|---|---|")
     for name, grid in cases:
-        costs, found = cost(arguments.roomseg, grid, folder)
+        costs, rooms = cost(arguments.roomseg, grid, folder)
         home = home or costs["all"]
-        if costs:
-            print(f"| {name} | {costs['all']:.0f} | {costs['all'] / home:.2f} | {found} |")
-        else:
-            print(f"| {name} | | | {found} |")
+        print(f"| {name} | {costs['all']:.0f} | {costs['all'] / home:.2f} | {rooms} |",
+              flush=True)
+
+
+def print_regions(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
+    print("| map | regions | graph, a cell | merge, a region | all, a cell |\n"
+          "|---|---|---|---|---|")
+    for name, make in (("rooms side by side", chambers), ("one corridor with closets", closets)):
+        for count in (36, 400, 4096):
+            grid = make(count)
+            costs, _ = cost(arguments.roomseg, grid, folder)
+            cells = (grid.width - 2) * (grid.height - 2)
+            print(f"| {name} | {count} | {costs['graph']:.1f} | "
+                  f"{costs['merge'] * cells / count:.0f} | {costs['all']:.1f} |", flush=True)
 
 
 def svg(lines: dict[str, list[tuple[int, float]]]) -> str:
@@ -261,14 +344,16 @@ def svg(lines: dict[str, list[tuple[int, float]]]) -> str:
                    f'stroke-width="2"/><text x="80" y="{24 + 16 * i}" '
                    f'fill="{colors[i % 4]}">{name}</text>')
     out.append('<text x="355" y="345" text-anchor="middle">cells of a side; '
-               'upright: instructions a cell</text></svg>')
+               'upright: nanoseconds a cell</text></svg>')
     return "\n".join(out) + "\n"
 
 
 def print_growth(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
     tiles = {"simple flat": flat(0), "the same with clutter": flat(150)}
     for path in arguments.map:
-        tiles[pathlib.Path(path).stem] = read_pgm(path)
+        tile = read_png(path)
+        tiles[pathlib.Path(path).stem] = tile
+        tiles[pathlib.Path(path).stem + " with clutter"] = cluttered(tile, 800)
     sides = [side for side in (100, 200, 400, 800, 1600, 3200, 6400, 8192)
              if side <= arguments.largest]
     lines: dict[str, list[tuple[int, float]]] = {name: [] for name in tiles}
@@ -276,10 +361,11 @@ def print_growth(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
     for side in sides:
         row = []
         for name, tile in tiles.items():
-            costs, found = cost(arguments.roomseg, tiled(tile, side), folder)
-            row.append(f"{costs['all']:.1f}" if costs else found)
-            if costs:
-                lines[name].append((side, costs["all"]))
+            grid = tiled(tile, side)
+            lines[name].append((side, nanoseconds(arguments.roomseg, grid, folder)))
+            row.append(f"{lines[name][-1][1]:.1f} ns")
+            if side <= arguments.counted:
+                row[-1] += f", {cost(arguments.roomseg, grid, folder)[0]['all']:.0f}"
         print(f"| {side} x {side} | " + " | ".join(row) + " |", flush=True)
     if arguments.output:
         pathlib.Path(arguments.output).write_text(svg(lines), encoding="utf-8")
@@ -289,7 +375,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
-    for name in ("stages", "growth", "worst"):
+    for name in ("stages", "growth", "regions", "worst"):
         commands.add_parser(name).add_argument("roomseg")
     stages = commands.choices["stages"]
     stages.add_argument("dataset")
@@ -298,9 +384,12 @@ def main() -> None:
     growth = commands.choices["growth"]
     growth.add_argument("--map", action="append", default=[])
     growth.add_argument("--largest", type=int, default=8192)
+    growth.add_argument("--counted", type=int, default=800,
+                        help="instructions are counted up to this size")
     growth.add_argument("-o", "--output")
     arguments = parser.parse_args()
-    run = {"stages": print_stages, "growth": print_growth, "worst": print_worst}
+    run = {"stages": print_stages, "growth": print_growth, "regions": print_regions,
+           "worst": print_worst}
     with tempfile.TemporaryDirectory() as folder:
         run[arguments.command](arguments, pathlib.Path(folder))
 

@@ -320,7 +320,7 @@ def print_regions(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
 def svg(lines: dict[str, list[tuple[int, float]]]) -> str:
     """Curves over the side of the map, each step of the axis twice the last."""
     sides = sorted({side for points in lines.values() for side, _ in points})
-    top = max(value for points in lines.values() for _, value in points) * 1.1
+    top = max(value for points in lines.values() for _, value in points) * 1.4  # room for the names
     colors = ("#1b6ca8", "#c8553d", "#3d8361", "#7d5ba6")
     out = ['<svg xmlns="http://www.w3.org/2000/svg" width="720" height="360" '
            'font-family="sans-serif" font-size="13">',

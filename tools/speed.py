@@ -297,7 +297,8 @@ def print_worst(arguments: argparse.Namespace, folder: pathlib.Path) -> None:
         ("spiral 6 cells wide", spiral(side, 6)),
     )
     home = 0.0
-    print("| map of 600 x 600 cells | instructions a cell | of a home's | rooms |\n|---|---|---|---|")
+    print("| map of 600 x 600 cells | instructions a cell | of a home's | rooms |\n"
+          "|---|---|---|---|")
     for name, grid in cases:
         costs, rooms = cost(arguments.roomseg, grid, folder)
         home = home or costs["all"]

@@ -27,11 +27,12 @@ verdict() { # NAME FILE: clean when nothing was written
 for file in src/*.c; do
     gcc -std=c99 -O2 -fanalyzer -Wall -Wextra -Wconversion -Wshadow -Wvla -Wcast-qual \
         -Wstrict-prototypes -Wmissing-prototypes -Wpointer-arith -Wundef -Iinclude -c "$file" \
-        -o build/lint/object.o
-done >build/lint/gcc.txt 2>&1 || true
+        -o build/lint/object.o || echo "$file: exit code $?"
+done >build/lint/gcc.txt 2>&1
 verdict "gcc -fanalyzer" build/lint/gcc.txt
 
-clang-tidy --quiet src/*.c -- -std=c99 -Iinclude -Isrc 2>/dev/null >build/lint/tidy.txt || true
+clang-tidy --quiet src/*.c -- -std=c99 -Iinclude -Isrc 2>/dev/null >build/lint/tidy.txt ||
+    echo "clang-tidy: exit code $?" >>build/lint/tidy.txt
 verdict "clang-tidy" build/lint/tidy.txt
 
 # cppcheck knows no SIZE_MAX, and leaves out, in silence, a file that ends in #error without it.
@@ -39,7 +40,8 @@ verdict "clang-tidy" build/lint/tidy.txt
 cppcheck --quiet --std=c99 --enable=warning,performance,portability --inline-suppr -j 2 \
     --suppress=missingIncludeSystem --suppress=arrayIndexThenCheck -DSIZE_MAX=0xFFFFFFFFu \
     --addon=misra --template='{file}:{line}: {message} [{id}]' --template-location='' \
-    -Iinclude -Isrc src >build/lint/all.txt 2>&1 || true
+    -Iinclude -Isrc src >build/lint/all.txt 2>&1 ||
+    echo "cppcheck: exit code $?" >>build/lint/all.txt
 grep -v misra-c2012 build/lint/all.txt >build/lint/cppcheck.txt || true
 verdict "cppcheck" build/lint/cppcheck.txt
 

@@ -1,6 +1,7 @@
 #include "drop.h"
 
 #include "cluster.h"
+#include "walls.h"
 
 /* Whether a root touches another root, and not only through a wall. */
 static bool touches_another(rs_graph *graph, uint16_t root)
@@ -38,7 +39,7 @@ static void drop_isolated(uint32_t isolated_cells, rs_graph *graph)
  * as a whole. */
 static void mark_unwalled(uint32_t unwalled_percent, rs_graph *graph)
 {
-    rs_map_border map = rs_graph_map_border(graph);
+    rs_map_border map = rs_walls_of_map(graph);
     uint64_t area = 0;
 
     for (uint32_t r = 1; r <= graph->region_count; r++) {
@@ -52,10 +53,10 @@ static void mark_unwalled(uint32_t unwalled_percent, rs_graph *graph)
             continue;
         }
         if (area_percent < area * HARDLY_WALLED_AREA_PERCENT &&
-            rs_graph_lacks_walls(&map, region, unwalled_percent * 5u)) {
+            rs_walls_are_few(&map, region, unwalled_percent * 5u)) {
             region->unwalled = RS_HARDLY_WALLED;
         } else if (area_percent < area * POORLY_WALLED_AREA_PERCENT &&
-                   rs_graph_lacks_walls(&map, region, unwalled_percent * 10u)) {
+                   rs_walls_are_few(&map, region, unwalled_percent * 10u)) {
             region->unwalled = RS_POORLY_WALLED;
         }
     }

@@ -108,18 +108,4 @@ int rs_graph_build(const rs_frame *frame, const roomseg_grid *grid, uint8_t occu
                    const uint8_t *surface, const rs_labels *labels, rs_graph *graph,
                    uint32_t max_edges, rs_column *columns, rs_ticker *ticker);
 
-/* The map's whole border, to compare regions with. */
-typedef struct rs_map_border {
-    uint32_t faces, walls; /* sums of the regions' border and walls, or their ratio: < 2^22 */
-} rs_map_border;
-
-rs_map_border rs_graph_map_border(const rs_graph *graph);
-
-/* Maps whose border is walls by less than this do not mark their walls. */
-#define RS_MARKED_WALLS_PERCENT 35u
-
-/* Whether walls make up less of a region's border than permille/1000 of what they make up of
- * the map's. On a map that does not mark its walls nothing can be told: false. */
-bool rs_graph_lacks_walls(const rs_map_border *map, const rs_region *region, uint32_t permille);
-
 #endif

@@ -151,7 +151,7 @@ static uint32_t plain_key(const rs_join_rules *rules, rs_graph *graph, uint32_t 
  * as wide as furnished rooms do. */
 static bool is_walled(const rs_join_rules *rules, const rs_graph *graph, uint16_t root)
 {
-    return !rs_graph_lacks_walls(&rules->map_border, &graph->regions[root],
+    return !rs_walls_are_few(&rules->map_border, &graph->regions[root],
                                  rules->unwalled_permille);
 }
 

@@ -2,7 +2,7 @@
 #ifndef RS_JOIN_H
 #define RS_JOIN_H
 
-#include "graph.h"
+#include "walls.h"
 
 /* The config's rules in cells. */
 typedef struct rs_join_rules {

@@ -141,7 +141,7 @@ static int merge(const roomseg_config *config, const roomseg_grid *grid, const r
     int status = ROOMSEG_OK;
 
     rules.lived_in = b->graph.clutter > permille_of(floor, config->lived_in_permille);
-    rules.map_border = rs_graph_map_border(&b->graph);
+    rules.map_border = rs_walls_of_map(&b->graph);
     if (rules.lived_in) {
         b->graph.shapes = b->shapes;
         rs_ticker_part(ticker, 0, 500);

@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 
-FIRST_SEED = 1000  # homes below are for development
+FIRST_SEED = 5000  # homes below are for development
 
 
 class Failure(Exception):
@@ -16,8 +16,9 @@ class Failure(Exception):
 def call(*command):
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if run.returncode != 0:
-        cause = (run.stderr.strip() or "no message").splitlines()[-1]
-        raise Failure("%s: exit code %d: %s" % (" ".join(command), run.returncode, cause))
+        causes = [line for line in run.stderr.splitlines() if line.startswith("roomseg: ")]
+        raise Failure("%s: exit code %d: %s" % (" ".join(command), run.returncode,
+                                                "; ".join(causes) or "no message"))
     return run.stdout
 
 

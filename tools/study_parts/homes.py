@@ -9,7 +9,7 @@ WORST = 12  # homes that are named
 
 INTRODUCTION = """\
 Seeds %s of `roomseg simulate --seed N --size SIZE --furnished -o FOLDER/N`, scored by `roomseg
-bench FOLDER`. Seeds from 1000 on are kept for this table; to improve rules, use others. F1: rooms
+bench FOLDER`. Seeds from 5000 on are kept for this table; to improve rules, use others. F1: rooms
 found, a room counting as found when it and a label share more than half of the area that they cover
 together. Means in %%.
 """

@@ -154,6 +154,44 @@ static void test_a_passage_needs_its_neighbours(void)
     TEST_ASSERT_EQUAL_UINT(at(3, 8), at(26, 8));
 }
 
+/* A corridor of 1.6 m with a block of 0.8 m in it that leaves `opening` cells. */
+static void draw_corridor(uint32_t opening)
+{
+    static const char *const rows[] = {
+        "########################",
+        "#......................#",
+        "#......................#",
+        "#......................#",
+        "#......................#",
+        "########################",
+        NULL,
+    };
+    run_free(&r);
+    sketch_free(&s);
+    s = sketch_make(rows, SCALE, 0, RESOLUTION_MM);
+    sketch_fill(&s, 11 * SCALE, SCALE, 2 * SCALE, 4 * SCALE - opening, 255);
+}
+
+/* Pieces of a corridor lie end to end, at an opening that would part two rooms by its width. */
+static void test_pieces_of_a_corridor_join_end_to_end(void)
+{
+    draw_corridor(25); /* 78 % */
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    draw_corridor(24);
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    draw_corridor(25); /* but not where a wall of 0.35 m is all that narrows it */
+    sketch_fill(&s, 11 * SCALE, SCALE, 2 * SCALE, 4 * SCALE, 0);
+    sketch_fill(&s, 12 * SCALE, SCALE, 2, 7, 255);
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    draw_corridor(25); /* nor when the one is much wider than the other: 72 % of both is more */
+    sketch_fill(&s, 13 * SCALE, 5 * SCALE, 10 * SCALE, SCALE - 1, 0);
+    r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+}
+
 /* A room, and what its robot saw through a wide window: no walls there, only an end of sight. */
 static const char *const window_rows[] = {
     "##############################??????????",
@@ -248,6 +286,7 @@ int main(void)
     RUN_TEST(test_the_smallest_room_is_exact);
     RUN_TEST(test_passages_join_through_narrow_openings);
     RUN_TEST(test_a_passage_needs_its_neighbours);
+    RUN_TEST(test_pieces_of_a_corridor_join_end_to_end);
     RUN_TEST(test_what_was_seen_through_a_window_is_no_room);
     RUN_TEST(test_a_map_without_walls_keeps_its_rooms);
     RUN_TEST(test_a_map_with_few_walls_keeps_its_rooms);

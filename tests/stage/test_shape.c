@@ -132,8 +132,8 @@ static void test_a_strip_in_all_directions(void)
 
 static void test_sides_of_a_rectangle_are_exact(void)
 {
-    paint(20, 30, 90, 7, 1);
-    paint(150, 30, 1, 1, 2);
+    paint(0, 0, 90, 7, 1);
+    paint(SIDE - 1, SIDE - 1, 1, 1, 2);
     measure(20, 30);
     TEST_ASSERT_TRUE(is_narrow(1, 7));
     TEST_ASSERT_FALSE(is_narrow(1, 6));

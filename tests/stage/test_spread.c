@@ -116,9 +116,7 @@ static void test_a_full_queue_loses_nothing(void)
 {
     for (uint32_t blocks = 1; blocks <= 3; blocks++) {
         rs_ticker ticker = {0};
-        frame = stage_frame(150, 150);
-        surface = stage_buffer(&frame);
-        labels = stage_labels(&frame);
+        flood_prepare(150, 150);
         for (uint32_t y = 0; y < 150; y++) {
             for (uint32_t x = 0; x < 150; x++) {
                 surface[rs_frame_index(&frame, x, y)] = RS_SPREAD_OPEN;
@@ -140,9 +138,7 @@ static void test_a_full_queue_loses_nothing(void)
 
 static void test_cancelling(void)
 {
-    frame = stage_frame(400, 400);
-    surface = stage_buffer(&frame);
-    labels = stage_labels(&frame);
+    flood_prepare(400, 400);
     for (uint32_t call = 0; call < 12; call++) {
         uint32_t left = call;
         rs_ticker ticker = stage_canceller(&left);

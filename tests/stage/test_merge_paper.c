@@ -318,6 +318,40 @@ static void make_random(uint32_t *seed)
     }
 }
 
+/* Each touches each: no graph of so few regions has more to queue again. */
+static void make_complete(uint32_t *seed, uint16_t count)
+{
+    uint32_t areas[MAX_REGIONS + 1] = {0};
+    for (uint32_t r = 0; r < count; r++) {
+        areas[r] = 10007 + next_random(seed) % 1000000;
+    }
+    make_regions(areas);
+    memset(plain_border, 0, sizeof plain_border);
+    for (uint16_t r = 1; r <= count; r++) {
+        plain_area[r] = areas[r - 1];
+        plain_root[r] = r;
+        for (uint16_t q = 1; q < r; q++) {
+            plain_border[r][q] = 100003 + next_random(seed) % 10000000;
+            plain_border[q][r] = plain_border[r][q];
+            share(r, q, plain_border[r][q]);
+        }
+    }
+}
+
+static void expect_the_plain_result(void)
+{
+    plain_merge();
+    merge();
+    for (uint16_t p = 1; p <= graph.region_count; p++) {
+        TEST_ASSERT_EQUAL(plain_root[p] == 0, area_of(p) == 0);
+        for (uint16_t q = 1; q < p; q++) {
+            if (plain_root[p] != 0 && plain_root[q] != 0) {
+                TEST_ASSERT_EQUAL(plain_root[p] == plain_root[q], together(p, q));
+            }
+        }
+    }
+}
+
 static void test_random_graphs(void)
 {
     uint32_t seed = 11;
@@ -326,15 +360,24 @@ static void test_random_graphs(void)
         rules.smallest_cells = 10000 + next_random(&seed) % 700000;
         rules.longest_border = 3000000 + next_random(&seed) % 20000000;
         rules.isolated_permille = next_random(&seed) % 50;
-        plain_merge();
-        merge();
-        for (uint16_t p = 1; p <= graph.region_count; p++) {
-            TEST_ASSERT_EQUAL(plain_root[p] == 0, area_of(p) == 0);
-            for (uint16_t q = 1; q < p; q++) {
-                if (plain_root[p] != 0 && plain_root[q] != 0) {
-                    TEST_ASSERT_EQUAL(plain_root[p] == plain_root[q], together(p, q));
-                }
-            }
+        expect_the_plain_result();
+    }
+}
+
+/* The heap fills with old entries, and is made anew, in rule 2 and in rule 3. */
+static void test_complete_graphs(void)
+{
+    uint32_t seed = 13;
+    for (uint16_t count = 2; count <= 18; count++) {
+        for (uint32_t round = 0; round < 50; round++) {
+            make_complete(&seed, count);
+            rules.smallest_cells = 100000 * (1 + round % 25);
+            rules.longest_border = 20000000;
+            expect_the_plain_result();
+            make_complete(&seed, count);
+            rules.smallest_cells = 1;
+            rules.longest_border = 400000 * (round % 25);
+            expect_the_plain_result();
         }
     }
 }
@@ -379,6 +422,7 @@ int main(void)
     RUN_TEST(test_opening_makes_borders_longer);
     RUN_TEST(test_an_isolated_pair_goes);
     RUN_TEST(test_random_graphs);
+    RUN_TEST(test_complete_graphs);
     RUN_TEST(test_a_small_heap);
     return UNITY_END();
 }

@@ -9,8 +9,9 @@ golden_map golden_map_at(int index)
 {
     static const char *const names[GOLDEN_COUNT] = {"small_furnished", "medium_furnished",
                                                     "medium_empty",    "medium_cluttered",
-                                                    "medium_turned",   "large_furnished"};
-    golden_map golden = {names[index], sim_options_default()};
+                                                    "medium_turned",   "large_furnished",
+                                                    "paper",           "paper_home"};
+    golden_map golden = {names[index], sim_options_default(), roomseg_config_default};
     sim_options *options = &golden.options;
     options->seed = 100u + (unsigned)index;
     switch (index) {
@@ -33,6 +34,12 @@ golden_map golden_map_at(int index)
         options->size = FLAT_LARGE;
         options->resolution_mm = 80;
         break;
+    case 6:
+        golden.config = roomseg_config_paper;
+        break;
+    case 7:
+        golden.config = roomseg_config_paper_home; /* which aligns the map */
+        break;
     default:
         break;
     }
@@ -46,7 +53,7 @@ int golden_make(const golden_map *golden, golden_run *run)
         fprintf(stderr, "%s: cannot simulate the map\n", golden->name);
         return -1;
     }
-    roomseg_config config = roomseg_config_default();
+    roomseg_config config = golden->config();
     roomseg_grid grid = {run->map.cells, run->map.width, run->map.height, run->map.width,
                          (uint32_t)run->map.resolution_mm};
     size_t need = 0;

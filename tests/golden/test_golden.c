@@ -102,6 +102,16 @@ static void test_large_furnished(void)
     check(5);
 }
 
+static void test_paper(void)
+{
+    check(6);
+}
+
+static void test_paper_home(void)
+{
+    check(7);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -116,5 +126,7 @@ int main(int argc, char **argv)
     RUN_TEST(test_medium_cluttered);
     RUN_TEST(test_medium_turned);
     RUN_TEST(test_large_furnished);
+    RUN_TEST(test_paper);
+    RUN_TEST(test_paper_home);
     return UNITY_END();
 }

@@ -151,7 +151,7 @@ static void report(const char *title)
 
 static void test_simulated_maps(void)
 {
-    for (int i = 0; i < GOLDEN_COUNT; i++) {
+    for (int i = 0; i < GOLDEN_DEFAULT_COUNT; i++) {
         golden_map golden = golden_map_at(i);
         sim_map made;
         TEST_ASSERT_EQUAL_INT(0, sim_run(&golden.options, &made));

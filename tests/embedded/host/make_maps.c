@@ -94,7 +94,7 @@ static int add_simulated(FILE *out, const char *name, const sim_options *options
 
 static int add_golden(FILE *out)
 {
-    for (int i = 0; i < GOLDEN_COUNT; i++) {
+    for (int i = 0; i < GOLDEN_DEFAULT_COUNT; i++) {
         golden_map golden = golden_map_at(i);
         if (add_simulated(out, golden.name, &golden.options, 0) != 0) {
             return -1;

@@ -11,12 +11,19 @@ static void put_leg(uint32_t column, uint32_t row)
     sketch_fill(&s, column * SCALE + 3, row * SCALE + 3, 2, 2, 255);
 }
 
-/* Runs the drawn map, which any clutter makes one that is lived in. */
-static void run_lived_in(void)
+/* Runs the drawn map. */
+static void expect_rooms(uint32_t count)
 {
-    config.lived_in_permille = 0;
     run_free(&r);
     r = run_checked(&config, &s.grid);
+    TEST_ASSERT_EQUAL_UINT(count, r.result.room_count);
+}
+
+/* The same when any clutter makes the map one that is lived in. */
+static void expect_lived_in(uint32_t count)
+{
+    config.lived_in_permille = 0;
+    expect_rooms(count);
 }
 
 /* Two rooms of 4.8 m with 2.8 m between them, 58 %, and no wall. */
@@ -42,12 +49,10 @@ static void test_rooms_without_a_wall_between_them(void)
 {
     s = sketch_make(open_rows, SCALE, 0, RESOLUTION_MM);
     put_leg(3, 3);
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
     config.open_plan_percent = 70;
     config.passage_opening_percent = 70; /* the border is no door's, either */
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
 }
 
 /* 1 leg is 0.2 permille of this floor. */
@@ -56,19 +61,28 @@ static void test_clutter_tells_what_is_lived_in(void)
     s = sketch_make(open_rows, SCALE, 0, RESOLUTION_MM);
     config.lived_in_permille = 1;
     put_leg(3, 3);
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_rooms(2);
     for (uint32_t column = 2; column < 12; column += 2) {
         put_leg(column, 2);
         put_leg(column, 5);
     }
-    run_free(&r);
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_rooms(1);
     config.lived_in_permille = 1000;
-    run_free(&r);
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_rooms(2);
+}
+
+/* All cells of an obstacle count, from two in a row on: 1 permille of this floor is 19 cells. */
+static void test_the_third_cell_of_a_row_counts(void)
+{
+    config.lived_in_permille = 1;
+    for (uint32_t length = 2; length <= 3; length++) {
+        sketch_free(&s);
+        s = sketch_make(open_rows, SCALE, 0, RESOLUTION_MM);
+        for (uint32_t i = 0; i < 8; i++) {
+            sketch_fill(&s, (2 + i) * SCALE, 3 * SCALE, length, 1, 255);
+        }
+        expect_rooms(length == 2 ? 2 : 1);
+    }
 }
 
 /* Single cells are noise: nobody lives by them. */
@@ -78,8 +92,7 @@ static void test_single_cells_are_no_clutter(void)
     for (uint32_t column = 2; column < 12; column++) {
         sketch_fill(&s, column * SCALE, 3 * SCALE, 1, 1, 255);
     }
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
 }
 
 /* Two rooms of 2.8 m behind one another, and a wall of 10 cm with an opening in its middle. */
@@ -109,20 +122,16 @@ static void draw_wall_with_opening(uint32_t opening_cells)
 static void test_wide_openings_in_a_wall(void)
 {
     draw_wall_with_opening(2 * CELLS_PER_M); /* 71 %, 0.8 m of wall */
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
     config.door_mm = 2200;
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
     config.door_mm = 950;
     config.passage_opening_percent = 80;
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
     config.passage_opening_percent = 41;
     config.shared_wall_mm = 3000;
     draw_wall_with_opening(8 * CELLS_PER_M / 5); /* 1.6 m, 1.2 m of wall: more than half */
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
 }
 
 /* 1.9 m2 behind a door that is wider than they are deep: a niche, but for its walls. */
@@ -146,13 +155,10 @@ static void test_a_door_parts_even_a_niche(void)
     sketch_fill(&s, 11 * SCALE, 2 * SCALE + 6, 2, 19, 0);     /* ... with a door of 0.95 m */
     put_leg(3, 3);
     config.shared_wall_mm = 10000;
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_rooms(1);
+    expect_lived_in(2);
     config.door_mm = 900;
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
 }
 
 /* A hall of 1.2 m with a cupboard in it that leaves 0.5 m, 42 %. */
@@ -177,16 +183,12 @@ static void draw_hall(void)
 static void test_a_hall_is_one_room(void)
 {
     draw_hall();
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
     config.hall_mm = 1100;
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
     config.hall_mm = 1600;
     config.lived_in_permille = 1000;
-    run_free(&r);
-    r = run_checked(&config, &s.grid);
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_rooms(2);
 }
 
 static void test_a_hall_in_any_direction(void)
@@ -197,11 +199,9 @@ static void test_a_hall_in_any_direction(void)
         sketch_free(&s);
         s = turned;
         config.hall_mm = 1600;
-        run_lived_in();
-        TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+        expect_lived_in(1);
         config.hall_mm = 0;
-        run_lived_in();
-        TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+        expect_lived_in(2);
     }
 }
 
@@ -212,11 +212,9 @@ static void test_a_door_at_the_end_of_a_hall(void)
     sketch_fill(&s, 11 * SCALE, 2 * SCALE, 2 * SCALE, 3 * SCALE, 0);
     sketch_fill(&s, 11 * SCALE, 2 * SCALE, 2, 7, 255);
     sketch_fill(&s, 11 * SCALE, 2 * SCALE + 17, 2, 7, 255);
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
     sketch_fill(&s, 11 * SCALE, 2 * SCALE + 17, 2, 3, 0); /* 0.55 m of wall are a cupboard's */
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
 }
 
 /* A hall that opens on a room of 2.8 m between two jambs without a wall beside them. */
@@ -239,16 +237,13 @@ static void test_a_hall_does_not_join_a_room(void)
     sketch_fill(&s, 17 * SCALE, 4 * SCALE, SCALE, 2, 255);
     sketch_fill(&s, 17 * SCALE, 7 * SCALE - 2, SCALE, 2, 255);
     put_leg(21, 5);
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(2, r.result.room_count);
+    expect_lived_in(2);
     config.hall_mm = 0;
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
     /* A bay that is as narrow, but short, does. */
     config.hall_mm = 1600;
     sketch_fill(&s, SCALE, SCALE, 12 * SCALE, 8 * SCALE, 255);
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
 }
 
 /* What was seen through a wide window has no walls, and joins nothing. */
@@ -283,12 +278,10 @@ static void test_a_fan_does_not_join_its_room(void)
     s = sketch_make(rows, SCALE, 0, RESOLUTION_MM);
     sketch_fill(&s, 21 * SCALE, 8 * SCALE, 4 * SCALE, 5 * SCALE, 0); /* 2 m of window */
     put_leg(3, 3);
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
     TEST_ASSERT_EQUAL_UINT(0, at(28, 10));
     config.unwalled_percent = 0; /* then it is taken for a part of the room */
-    run_lived_in();
-    TEST_ASSERT_EQUAL_UINT(1, r.result.room_count);
+    expect_lived_in(1);
     TEST_ASSERT_EQUAL_UINT(1, at(28, 10));
 }
 
@@ -297,6 +290,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_rooms_without_a_wall_between_them);
     RUN_TEST(test_clutter_tells_what_is_lived_in);
+    RUN_TEST(test_the_third_cell_of_a_row_counts);
     RUN_TEST(test_single_cells_are_no_clutter);
     RUN_TEST(test_wide_openings_in_a_wall);
     RUN_TEST(test_a_door_parts_even_a_niche);
